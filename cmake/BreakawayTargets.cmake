@@ -5,7 +5,7 @@ target_compile_options(breakaway_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Werror)
 if(BREAKAWAY_TOGETHER)
   # What one source calls its own hides what another one beside it does.
-  target_compile_options(breakaway_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+  target_compile_options(breakaway_options INTERFACE -Wno-shadow -Wshadow=local -Wno-subobject-linkage)
 endif()
 if(BREAKAWAY_SANITIZE)
   target_compile_options(breakaway_options INTERFACE
@@ -22,8 +22,8 @@ endif()
 # each room has an include folder of its own in the build folder, with a link to the room and nothing else. Includes are
 # spelt from the folder FROM (default: the caller's). ALONE: without the folders in FOLDER, which are rooms themselves.
 # MOC: its classes are Qt's, and its headers needn't stand alone.
-# With BREAKAWAY_TOGETHER, up to twelve sources of a room without MOC are compiled as one: what a source calls its own, no other
-# source of its room may call so.
+# With BREAKAWAY_TOGETHER, up to twelve sources of a room are compiled as one: what a source calls its own, no other source of
+# its room may call so.
 function(breakaway_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "ALONE;MOC" "FOLDER;SPELT;KIND" "USES;PUBLIC;PRIVATE")
   if(NOT room_FOLDER)
@@ -61,6 +61,7 @@ function(breakaway_room name)
     add_library(breakaway_${name} STATIC ${sources})
     target_link_libraries(breakaway_${name} PRIVATE breakaway_options ${room_PRIVATE})
     breakaway_of_kind(breakaway_${name} ${room_KIND})
+    set_target_properties(breakaway_${name} PROPERTIES UNITY_BUILD ${BREAKAWAY_TOGETHER} UNITY_BUILD_BATCH_SIZE 12)
     set(seen PUBLIC)
   endif()
   target_link_libraries(breakaway_${name} ${seen} ${room_USES} ${room_PUBLIC})
@@ -70,9 +71,6 @@ function(breakaway_room name)
     set_target_properties(breakaway_${name} PROPERTIES AUTOMOC ON)
     target_include_directories(breakaway_${name} ${seen} ${includes})
   else()
-    if(sources)
-      set_target_properties(breakaway_${name} PROPERTIES UNITY_BUILD ${BREAKAWAY_TOGETHER} UNITY_BUILD_BATCH_SIZE 12)
-    endif()
     set(alone ${headers})
     foreach(header ${headers})
       string(REGEX REPLACE "[.]h$" "" source ${header})

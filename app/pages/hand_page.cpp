@@ -27,7 +27,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int boxWidth = 144;
+constexpr int handBoxWidth = 144;
 constexpr auto shownEvery = 100ms;
 
 QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString& name, const QString& tip) {
@@ -36,7 +36,7 @@ QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString
   box->setAccessibleName(name);
   box->setToolTip(tip);
   box->setAlignment(Qt::AlignRight);
-  box->setFixedWidth(boxWidth);
+  box->setFixedWidth(handBoxWidth);
   return box;
 }
 

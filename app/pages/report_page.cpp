@@ -26,7 +26,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int soon_ms = 250, remarksHeight = 84, chapterHeight = 26, figureWidth = 680;
+constexpr int drawnSoon_ms = 250, remarksHeight = 84, chapterHeight = 26, figureWidth = 680;
 
 /// The report's HTML, by way of a folder that goes again.
 template <class Draft>
@@ -62,7 +62,7 @@ ReportPage::ReportPage(const BenchRuns& bench, const Comparison& comparison, Mes
   picture()->addWidget(text_, 1);
   setAvailable(open_, false, {}, tr("No report was written yet"));
   soon_.setSingleShot(true);
-  soon_.setInterval(soon_ms);
+  soon_.setInterval(drawnSoon_ms);
   pool_.setMaxThreadCount(1);
   connect(&soon_, &QTimer::timeout, this, &ReportPage::preview);
   connect(friction_, &QPushButton::clicked, this, &ReportPage::writeFriction);

@@ -11,7 +11,7 @@ namespace breakaway {
 
 namespace {
 
-QString words(const char* text) {
+QString sourceWords(const char* text) {
   return QCoreApplication::translate("BoardTuning", text);
 }
 
@@ -33,7 +33,7 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
         motor.inertia_kg_m2,
         {shown, shown * constant.standardError / constant.value},
         found.noiseRms_A,
-        words(QT_TRANSLATE_NOOP("BoardTuning", "identification"))};
+        sourceWords(QT_TRANSLATE_NOOP("BoardTuning", "identification"))};
   }
   KnownMotor known;
   if (bench && bench->motor.inertia && bench->motor.torqueConstant) {
@@ -46,14 +46,14 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
                     motor.backEmfConstant.value_or(*motor.torqueConstant)};
     known.inertia_kg_m2 = trustedWithin(*motor.inertia, 0.05);
     known.torqueConstant_Nm_per_A = trustedWithin(*motor.torqueConstant, 0.027);
-    known.source = words(QT_TRANSLATE_NOOP("BoardTuning", "bench file"));
+    known.source = sourceWords(QT_TRANSLATE_NOOP("BoardTuning", "bench file"));
     return known;
   }
   const double J = settings.nominal_inertia_kg_m2, Kt = settings.nominal_torque_constant_Nm_per_A;
   known.values = {J, Kt, 0.0, 0.0, 0.0, Kt};
   known.inertia_kg_m2 = trustedWithin(J, 0.3);
   known.torqueConstant_Nm_per_A = trustedWithin(Kt, 0.3);
-  known.source = words(QT_TRANSLATE_NOOP("BoardTuning", "name plate"));
+  known.source = sourceWords(QT_TRANSLATE_NOOP("BoardTuning", "name plate"));
   return known;
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double amplitude_rad_per_s = 6.0, period_s = 4.0;  // of a rotor
 constexpr double most_m_per_s = 0.05;                        // of a linear axis
 constexpr double stroke_s = 4.0;                             // at least, from place to place
-constexpr double speedUp_s = 0.2;
+constexpr double slowSpeedUp_s = 0.2;
 constexpr double near = 0.01;  // of the travel
 
 /// Goes at the velocity that `next` says, from the first sample on.
@@ -49,13 +49,14 @@ std::shared_ptr<Procedure> slowTurning() {
 
 std::shared_ptr<Procedure> slowStrokes(const Travel& travel, double tick_s) {
   const double speed_m_per_s = std::min(most_m_per_s, 0.5 * travel.usable_m() / stroke_s);
-  return std::make_shared<Endless>(message("going to and fro slowly"),
-                                   [travel, tick_s, way = 1.0, glide = Glide(speed_m_per_s, speed_m_per_s / speedUp_s)](
-                                       double, double at_m) mutable {
-                                     const double target_m = travel.middle_m() + way * 0.25 * travel.usable_m();
-                                     if (way * (at_m - target_m) > -near * travel.usable_m()) way = -way;
-                                     return glide.next(at_m, target_m, tick_s);
-                                   });
+  return std::make_shared<Endless>(
+      message("going to and fro slowly"),
+      [travel, tick_s, way = 1.0, glide = Glide(speed_m_per_s, speed_m_per_s / slowSpeedUp_s)](double,
+                                                                                               double at_m) mutable {
+        const double target_m = travel.middle_m() + way * 0.25 * travel.usable_m();
+        if (way * (at_m - target_m) > -near * travel.usable_m()) way = -way;
+        return glide.next(at_m, target_m, tick_s);
+      });
 }
 
 }  // namespace breakaway

@@ -6,7 +6,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double patience = 2.0, grace_s = 2.0;  // over the time that the way takes
+constexpr double travelPatience = 2.0, travelGrace_s = 2.0;  // over the time that the way takes
 
 }  // namespace
 
@@ -14,7 +14,7 @@ Command TravelTo::run(const Sample& sample) {
   left_m_ = std::abs(target_m_ - sample.angle_rad);
   if (isFirst()) {
     start_m_ = left_m_;
-    allowed_s_ = grace_s + patience * left_m_ / glide_.speed_m_per_s();
+    allowed_s_ = travelGrace_s + travelPatience * left_m_ / glide_.speed_m_per_s();
   }
   if (left_m_ < tolerance_m_) {
     finish();

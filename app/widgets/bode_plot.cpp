@@ -14,14 +14,14 @@ namespace breakaway {
 
 namespace {
 
-constexpr double degree = 180.0 / std::numbers::pi;
+constexpr double phaseDegree = 180.0 / std::numbers::pi;
 
 /// Without jumps from one side to the other, beginning between −360° and 0.
 QVector<double> unwrapped(const std::vector<std::complex<double>>& loop) {
   QVector<double> phase;
   double last = 0.0;
   for (const auto& one : loop) {
-    double now = degree * std::arg(one);
+    double now = phaseDegree * std::arg(one);
     if (phase.isEmpty()) {
       while (now > 0.0) now -= 360.0;
     } else {
@@ -141,8 +141,8 @@ void BodePlot::drawMargins() {
     mark(gain_, margins_.phaseCrossover_rad_per_s, -20.0 * std::log10(margins_.gainMargin), 0.0,
          numberText(margins_.gainMargin), Qt::AlignLeft);
   if (margins_.gainCrossover_rad_per_s > 0.0 && std::isfinite(margins_.phaseMargin_rad))
-    mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + degree * margins_.phaseMargin_rad,
-         tr("%1°").arg(degree * margins_.phaseMargin_rad, 0, 'f', 1), Qt::AlignRight);
+    mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + phaseDegree * margins_.phaseMargin_rad,
+         tr("%1°").arg(phaseDegree * margins_.phaseMargin_rad, 0, 'f', 1), Qt::AlignRight);
 }
 
 }  // namespace breakaway

@@ -12,7 +12,7 @@ namespace breakaway {
 
 namespace {
 
-QString translated(const char* text) {
+QString comparisonText(const char* text) {
   return QCoreApplication::translate("ComparisonWords", text);
 }
 
@@ -24,7 +24,7 @@ QString row(const QStringList& cells, bool bold) {
   return "<tr>" + line + "</tr>";
 }
 
-QString table(const QStringList& heads, const QString& rows) {
+QString tableOf(const QStringList& heads, const QString& rows) {
   QString line;
   for (const QString& head : heads)
     line += "<th align='left' style='padding: 2px 16px 2px 0'>" + head.toHtmlEscaped() + "</th>";
@@ -63,7 +63,7 @@ QString mapRows(const RunComparison& comparison, bool beyond) {
     };
     rows += row({QString::fromStdString(one.quantity), torque(one.meanDifference),
                  "± " + numberText(units.torqueScale * one.meanHalfWidth, 2) + " " + units.torque,
-                 translated(QT_TRANSLATE_NOOP("ComparisonWords", "%1 of %2, by chance %3"))
+                 comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "%1 of %2, by chance %3"))
                      .arg(one.beyond)
                      .arg(one.bins)
                      .arg(numberText(one.byChance, 2)),
@@ -76,22 +76,22 @@ QString mapRows(const RunComparison& comparison, bool beyond) {
 QString findings(const std::vector<std::string>& list, const char* form) {
   QString lines;
   for (const std::string& one : list)
-    lines += "<p>" + translated(form).arg(QString::fromStdString(one)).toHtmlEscaped() + "</p>";
+    lines += "<p>" + comparisonText(form).arg(QString::fromStdString(one)).toHtmlEscaped() + "</p>";
   return lines;
 }
 
 QString part(const RunComparison& comparison, bool beyond) {
-  return table({translated(QT_TRANSLATE_NOOP("ComparisonWords", "Result")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Before")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "After")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Change"))},
-               valueRows(comparison, beyond)) +
-         table({translated(QT_TRANSLATE_NOOP("ComparisonWords", "Map")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Mean change")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "95 %")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Bins beyond")),
-                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Largest"))},
-               mapRows(comparison, beyond));
+  return tableOf({comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Result")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Before")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "After")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Change"))},
+                 valueRows(comparison, beyond)) +
+         tableOf({comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Map")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Mean change")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "95 %")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Bins beyond")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Largest"))},
+                 mapRows(comparison, beyond));
 }
 
 }  // namespace
@@ -107,13 +107,14 @@ QString pageOf(const RunComparison& comparison) {
   const QString within = part(comparison, false);
   QString page;
   if (comparison.before.motor != comparison.after.motor)
-    page += "<p>" + translated(QT_TRANSLATE_NOOP("ComparisonWords", "The runs are of two motors.")) + "</p>";
+    page += "<p>" + comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "The runs are of two motors.")) + "</p>";
   const auto heading = [](const QString& text) { return "<h3>" + text + "</h3>"; };
   page +=
       beyond.isEmpty()
-          ? heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Nothing has changed beyond the 95 % intervals")))
-          : heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Changed beyond the 95 % intervals"))) + beyond;
-  if (!within.isEmpty()) page += heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Within them"))) + within;
+          ? heading(
+                comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Nothing has changed beyond the 95 % intervals")))
+          : heading(comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Changed beyond the 95 % intervals"))) + beyond;
+  if (!within.isEmpty()) page += heading(comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Within them"))) + within;
   return page;
 }
 

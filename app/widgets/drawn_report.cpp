@@ -16,7 +16,7 @@ namespace {
 
 constexpr double ratio = 2.0;  // pixels of a picture to each of the text's
 constexpr int margin_mm = 16, paperWidth_px = 640;
-constexpr const char* sheet =
+constexpr const char* reportSheet =
     "body { font-family: sans-serif; } h1 { font-size: 20px; } h2 { font-size: 16px; margin-top: 16px; }"
     "h3 { font-size: 14px; } .verdict { background: #f4f6f8; } th, td { padding: 2px 12px 2px 0; text-align: left; } "
     "pre { white-space: pre-wrap; }";
@@ -74,7 +74,7 @@ DrawnReport drawn(const std::string& html, const ReportEdit& edit, int width_px)
 
 void fill(QTextDocument& document, const DrawnReport& report) {
   document.clear();
-  document.setDefaultStyleSheet(sheet);
+  document.setDefaultStyleSheet(reportSheet);
   for (qsizetype k = 0; k < report.figures.size(); ++k)
     document.addResource(QTextDocument::ImageResource, QUrl(QString("figure:%1").arg(k)), report.figures[k]);
   document.setHtml(report.html);

@@ -10,13 +10,13 @@
 namespace breakaway {
 
 namespace {
-constexpr int height_px = 44, valueWidth = 84;
+constexpr int chipHeight = 44, valueWidth = 84;
 }  // namespace
 
 FigureChip::FigureChip(const char* objectName, const QString& title, QWidget* parent) : QFrame(parent) {
   setObjectName(objectName);
   setProperty("role", "chip");
-  setFixedHeight(height_px);
+  setFixedHeight(chipHeight);
   // The name has the chip's whole width; what is asked and what it is share the line beneath.
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(8, 3, 8, 3);

@@ -9,14 +9,14 @@
 namespace breakaway {
 
 namespace {
-constexpr int height_px = 36, titleWidth = 68;
+constexpr int slotHeight = 36, titleWidth = 68;
 }  // namespace
 
 FileSlot::FileSlot(const char* objectName, const QString& title, const QString& tip, QWidget* parent)
     : QPushButton(parent), title_(title) {
   setObjectName(objectName);
   setToolTip(tip);
-  setFixedHeight(height_px);
+  setFixedHeight(slotHeight);
   auto* row = rowIn(this, 8, {12, 0, 12, 0});
   auto* what = caption(this, title);
   what->setFixedWidth(titleWidth);

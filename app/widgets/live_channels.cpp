@@ -7,9 +7,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr double degree = 180.0 / std::numbers::pi;
+constexpr double channelDegree = 180.0 / std::numbers::pi;
 
-QString translated(const char* text) {
+QString channelWords(const char* text) {
   return QCoreApplication::translate("LiveChannel", text);
 }
 
@@ -17,22 +17,22 @@ QString translated(const char* text) {
 
 std::array<LiveChannel, 4> liveChannels(bool linear) {
   if (linear)
-    return {{{translated(QT_TRANSLATE_NOOP("LiveChannel", "Position")),
-              translated(QT_TRANSLATE_NOOP("LiveChannel", "mm")), 1e3, 1.0, 3, &Sample::angle_rad},
-             {translated(QT_TRANSLATE_NOOP("LiveChannel", "Speed")),
-              translated(QT_TRANSLATE_NOOP("LiveChannel", "mm/s")), 1e3, 5.0, 2, &Sample::velocity_rad_per_s},
-             {translated(QT_TRANSLATE_NOOP("LiveChannel", "Current")),
-              translated(QT_TRANSLATE_NOOP("LiveChannel", "A")), 1.0, 0.2, 3, &Sample::current_A},
-             {translated(QT_TRANSLATE_NOOP("LiveChannel", "Disturbance")),
-              translated(QT_TRANSLATE_NOOP("LiveChannel", "N")), 1.0, 2.0, 2, &Sample::disturbance_estimate_Nm}}};
-  return {{{translated(QT_TRANSLATE_NOOP("LiveChannel", "Angle")), translated(QT_TRANSLATE_NOOP("LiveChannel", "°")),
-            degree, 10.0, 2, &Sample::angle_rad},
-           {translated(QT_TRANSLATE_NOOP("LiveChannel", "Speed")),
-            translated(QT_TRANSLATE_NOOP("LiveChannel", "rad/s")), 1.0, 1.0, 2, &Sample::velocity_rad_per_s},
-           {translated(QT_TRANSLATE_NOOP("LiveChannel", "Current")), translated(QT_TRANSLATE_NOOP("LiveChannel", "A")),
-            1.0, 0.2, 3, &Sample::current_A},
-           {translated(QT_TRANSLATE_NOOP("LiveChannel", "Disturbance")),
-            translated(QT_TRANSLATE_NOOP("LiveChannel", "mNm")), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm}}};
+    return {{{channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Position")),
+              channelWords(QT_TRANSLATE_NOOP("LiveChannel", "mm")), 1e3, 1.0, 3, &Sample::angle_rad},
+             {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Speed")),
+              channelWords(QT_TRANSLATE_NOOP("LiveChannel", "mm/s")), 1e3, 5.0, 2, &Sample::velocity_rad_per_s},
+             {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Current")),
+              channelWords(QT_TRANSLATE_NOOP("LiveChannel", "A")), 1.0, 0.2, 3, &Sample::current_A},
+             {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Disturbance")),
+              channelWords(QT_TRANSLATE_NOOP("LiveChannel", "N")), 1.0, 2.0, 2, &Sample::disturbance_estimate_Nm}}};
+  return {{{channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Angle")),
+            channelWords(QT_TRANSLATE_NOOP("LiveChannel", "°")), channelDegree, 10.0, 2, &Sample::angle_rad},
+           {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Speed")),
+            channelWords(QT_TRANSLATE_NOOP("LiveChannel", "rad/s")), 1.0, 1.0, 2, &Sample::velocity_rad_per_s},
+           {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Current")),
+            channelWords(QT_TRANSLATE_NOOP("LiveChannel", "A")), 1.0, 0.2, 3, &Sample::current_A},
+           {channelWords(QT_TRANSLATE_NOOP("LiveChannel", "Disturbance")),
+            channelWords(QT_TRANSLATE_NOOP("LiveChannel", "mNm")), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm}}};
 }
 
 std::vector<LiveChannel> boardChannels(bool linear) {
@@ -40,10 +40,10 @@ std::vector<LiveChannel> boardChannels(bool linear) {
   std::vector<LiveChannel> all(shown.begin(), shown.end());
   const auto add = [&](const char* name, const LiveChannel& like, double Sample::*value) {
     all.push_back(like);
-    all.back().name = translated(name);
+    all.back().name = channelWords(name);
     all.back().value = value;
   };
-  const LiveChannel volts{{}, translated(QT_TRANSLATE_NOOP("LiveChannel", "V")), 1.0, 0.5, 2, nullptr};
+  const LiveChannel volts{{}, channelWords(QT_TRANSLATE_NOOP("LiveChannel", "V")), 1.0, 0.5, 2, nullptr};
   add(QT_TRANSLATE_NOOP("LiveChannel", "Voltage"), volts, &Sample::voltage_V);
   add(QT_TRANSLATE_NOOP("LiveChannel", "Supply"), volts, &Sample::supply_V);
   add(linear ? QT_TRANSLATE_NOOP("LiveChannel", "Position asked for")

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 namespace breakaway {
 
 namespace {
-constexpr int railWidth = 168, nameWidth = 70, valueWidth = 60, unitWidth = 38, lineWidth = 48, logWidth = 120;
+constexpr int stripRailWidth = 168, nameWidth = 70, valueWidth = 60, unitWidth = 38, lineWidth = 48, logWidth = 120;
 constexpr double lineSpan_s = 5.0;
 constexpr size_t linePoints = 64;
 }  // namespace
@@ -66,7 +66,7 @@ LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, cons
   open_->setProperty("role", "bare");
   open_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   open_->setShortcut(QKeySequence("Ctrl+L"));
-  open_->setFixedWidth(railWidth - 16);
+  open_->setFixedWidth(stripRailWidth - 16);
   connect(open_, &QToolButton::toggled, this, &LiveStrip::plotsAsked);
   row->addWidget(open_);
   row->addSpacing(8);

@@ -15,12 +15,12 @@
 namespace breakaway {
 
 namespace {
-constexpr int height_px = 168;
+constexpr int drawerHeight = 168;
 }  // namespace
 
 LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), messages_(messages) {
   setObjectName("logDrawer");
-  setFixedHeight(height_px);
+  setFixedHeight(drawerHeight);
   auto* column = columnIn(this, 8, {16, 8, 16, 8});
   auto* row = new QHBoxLayout;
   row->addWidget(section(this, tr("Log")));

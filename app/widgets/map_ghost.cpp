@@ -13,7 +13,7 @@ namespace {
 
 constexpr double outside = 1.25;  // times the highest value, where the ring has no difference
 
-QString translated(const char* text) {
+QString ghostWords(const char* text) {
   return QCoreApplication::translate("MapGhost", text);
 }
 
@@ -47,8 +47,8 @@ double highestOf(const MapPicture& picture) {
 
 void addRing(const FrictionMap& earlier, const FrictionMap& now, const Quantity& quantity, MapPicture& picture) {
   const double zero = outside * highestOf(picture);
-  MapCurve none{translated(QT_TRANSLATE_NOOP("MapGhost", "no difference")), 2, true, true, {}};
-  MapCurve ring{translated(QT_TRANSLATE_NOOP("MapGhost", "now − earlier")), 2, false, true, {}};
+  MapCurve none{ghostWords(QT_TRANSLATE_NOOP("MapGhost", "no difference")), 2, true, true, {}};
+  MapCurve ring{ghostWords(QT_TRANSLATE_NOOP("MapGhost", "now − earlier")), 2, false, true, {}};
   none.part = MapPart::noDifference;
   ring.part = MapPart::difference;
   none.lifted = ring.lifted = zero;
@@ -67,7 +67,7 @@ void layBeneath(const FrictionMap& earlier, const FrictionMap* now, MapView view
   if (now != nullptr && now->axis != earlier.axis) return;
   MapPicture ghost = pictureOf(view, earlier);
   for (MapCurve& curve : ghost.curves) {
-    curve.name = translated(QT_TRANSLATE_NOOP("MapGhost", "%1, earlier")).arg(curve.name);
+    curve.name = ghostWords(QT_TRANSLATE_NOOP("MapGhost", "%1, earlier")).arg(curve.name);
     curve.part = MapPart::earlier;
   }
   if (picture.curves.empty()) {

@@ -11,7 +11,7 @@ namespace breakaway {
 
 namespace {
 
-QString translated(const char* text) {
+QString viewWords(const char* text) {
   return QCoreApplication::translate("MapView", text);
 }
 
@@ -27,7 +27,7 @@ std::vector<MapCurve> turnCurves(const Commission& known) {
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
     for (size_t turn = 0; turn < known.sweeps.turns; ++turn) {
-      MapCurve curve{translated(name).arg(shortWayName(way, known.identity.axis)).arg(turn + 1),
+      MapCurve curve{viewWords(name).arg(shortWayName(way, known.identity.axis)).arg(turn + 1),
                      colourOf(way),
                      turn > 0,
                      false,
@@ -80,8 +80,8 @@ std::vector<MapCurve> movingCurves(const Commission& known, double scale, std::v
 
 MapCurve positionCurve(const FrictionMap& map) {
   const bool linear = map.axis == Axis::linear;
-  MapCurve curve{linear ? translated(QT_TRANSLATE_NOOP("MapView", "position force"))
-                        : translated(QT_TRANSLATE_NOOP("MapView", "position torque")),
+  MapCurve curve{linear ? viewWords(QT_TRANSLATE_NOOP("MapView", "position force"))
+                        : viewWords(QT_TRANSLATE_NOOP("MapView", "position torque")),
                  3,
                  false,
                  true,
@@ -97,19 +97,19 @@ QString nameOf(MapView view, Axis axis) {
   const bool linear = axis == Axis::linear;
   switch (view) {
     case MapView::turns:
-      return linear ? translated(QT_TRANSLATE_NOOP("MapView", "Breakaway, pass by pass"))
-                    : translated(QT_TRANSLATE_NOOP("MapView", "Breakaway, turn by turn"));
+      return linear ? viewWords(QT_TRANSLATE_NOOP("MapView", "Breakaway, pass by pass"))
+                    : viewWords(QT_TRANSLATE_NOOP("MapView", "Breakaway, turn by turn"));
     case MapView::staticMean:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Static friction, mean"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Static friction, mean"));
     case MapView::coulomb:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Coulomb friction"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Coulomb friction"));
     case MapView::viscous:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Viscous coefficient"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Viscous coefficient"));
     case MapView::total:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Total at the map's speed"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Total at the map's speed"));
     case MapView::positionTorque:
-      return linear ? translated(QT_TRANSLATE_NOOP("MapView", "Position force"))
-                    : translated(QT_TRANSLATE_NOOP("MapView", "Position torque"));
+      return linear ? viewWords(QT_TRANSLATE_NOOP("MapView", "Position force"))
+                    : viewWords(QT_TRANSLATE_NOOP("MapView", "Position torque"));
   }
   return {};
 }
@@ -117,40 +117,40 @@ QString nameOf(MapView view, Axis axis) {
 QString shortNameOf(MapView view) {
   switch (view) {
     case MapView::turns:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Breakaway"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Breakaway"));
     case MapView::staticMean:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Static"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Static"));
     case MapView::coulomb:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Coulomb"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Coulomb"));
     case MapView::viscous:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Viscous"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Viscous"));
     case MapView::total:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Total"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Total"));
     case MapView::positionTorque:
-      return translated(QT_TRANSLATE_NOOP("MapView", "Position"));
+      return viewWords(QT_TRANSLATE_NOOP("MapView", "Position"));
   }
   return {};
 }
 
 QString obstacleTo(MapView view, const Commission& known) {
   if (view == MapView::turns)
-    return known.breakaways.empty() ? translated(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep first"))
+    return known.breakaways.empty() ? viewWords(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep first"))
                                     : QString();
   const bool moving = view == MapView::coulomb || view == MapView::viscous || view == MapView::total;
   // A linear axis has moving friction over its travel before it has breakaways.
   if (known.identity.axis == Axis::linear && (view == MapView::coulomb || view == MapView::viscous))
     return known.knows(Known::runs) ? QString()
-                                    : translated(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"));
+                                    : viewWords(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"));
   if (!known.knows(Known::map))
-    return translated(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep to its end first"));
-  return moving && !known.knows(Known::runs) ? translated(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"))
+    return viewWords(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep to its end first"));
+  return moving && !known.knows(Known::runs) ? viewWords(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"))
                                              : QString();
 }
 
 namespace {
 
 QString titled(const char* quantity, const QString& unit) {
-  return translated(quantity).arg(unit);
+  return viewWords(quantity).arg(unit);
 }
 
 QString breakawayTitle(Axis axis) {
@@ -187,7 +187,7 @@ MapPicture pictureOf(MapView view, const FrictionMap& map) {
                         [](const WayBin& bin) {
                           return Estimate{bin.total_Nm, 0.0};
                         }),
-              translated(QT_TRANSLATE_NOOP("MapView", "total at %1 %2 (%3)"))
+              viewWords(QT_TRANSLATE_NOOP("MapView", "total at %1 %2 (%3)"))
                   .arg(map.totalVelocity_rad_per_s, 0, 'f', 2)
                   .arg(units.speed, units.torque),
               units.torque};

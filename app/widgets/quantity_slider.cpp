@@ -17,7 +17,7 @@ namespace breakaway {
 
 namespace {
 constexpr int travel = 1000, boxWidth = 136;
-constexpr double decades = 3.0;  ///< of a logarithmic slider
+constexpr double sliderDecades = 3.0;  ///< of a logarithmic slider
 
 /// Shows no zeros behind the last digit that says something.
 class ShortBox : public QDoubleSpinBox {
@@ -124,7 +124,7 @@ void QuantitySlider::show(double value) {
 int QuantitySlider::positionOf(double value) const {
   const double share = std::clamp((value - range_.least) / (range_.most - range_.least), 0.0, 1.0);
   if (!range_.logarithmic) return static_cast<int>(std::lround(share * travel));
-  const double position = share <= 0.0 ? 0.0 : 1.0 + std::log10(share) / decades;
+  const double position = share <= 0.0 ? 0.0 : 1.0 + std::log10(share) / sliderDecades;
   return static_cast<int>(std::lround(std::clamp(position, 0.0, 1.0) * travel));
 }
 
@@ -132,7 +132,7 @@ double QuantitySlider::valueOf(int position) const {
   const double share = static_cast<double>(position) / travel;
   const double height = range_.most - range_.least;
   if (!range_.logarithmic || position == 0) return range_.least + share * height;
-  return range_.least + height * std::pow(10.0, decades * (share - 1.0));
+  return range_.least + height * std::pow(10.0, sliderDecades * (share - 1.0));
 }
 
 void QuantitySlider::takeSlider(int position) {

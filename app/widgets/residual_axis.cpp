@@ -13,8 +13,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr const char* names[] = {"time", "angle", "velocity", "acceleration", "current", "reversal"};
-constexpr double degree = 180.0 / std::numbers::pi;
+constexpr const char* axisNames[] = {"time", "angle", "velocity", "acceleration", "current", "reversal"};
+constexpr double angleDegree = 180.0 / std::numbers::pi;
 
 QString words(const char* text) {
   return QCoreApplication::translate("ResidualAxis", text);
@@ -64,7 +64,7 @@ std::vector<double> motorTorque(const Model& model, const Recording& recording, 
 }  // namespace
 
 QStringList residualAxes() {
-  return {std::begin(names), std::end(names)};
+  return {std::begin(axisNames), std::end(axisNames)};
 }
 
 QString ShownAxis::label() const {
@@ -75,7 +75,7 @@ ShownAxis shownAxis(const QString& axis, bool linear) {
   if (axis == "time") return {words(QT_TRANSLATE_NOOP("ResidualAxis", "time")), "s", 1.0};
   if (axis == "angle")
     return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "position")), "mm", 1e3}
-                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "rotor angle")), "°", degree};
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "rotor angle")), "°", angleDegree};
   if (axis == "velocity")
     return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "speed")), "mm/s", 1e3}
                   : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "speed")), "rad/s", 1.0};
@@ -86,7 +86,7 @@ ShownAxis shownAxis(const QString& axis, bool linear) {
                   : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "motor torque")), "mNm", 1e3};
   if (axis == "reversal")
     return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "travel since the reversal")), "mm", 1e3}
-                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "angle since the reversal")), "°", degree};
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "angle since the reversal")), "°", angleDegree};
   if (axis == "temperature") return {words(QT_TRANSLATE_NOOP("ResidualAxis", "temperature")), "°C", 1.0};
   return {axis, {}, 1.0};
 }

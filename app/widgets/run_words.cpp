@@ -10,44 +10,44 @@ namespace breakaway {
 
 namespace {
 
-struct Words {
+struct RunInWords {
   const char* name;
   const char* words;
 };
 
-constexpr Words kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
-                               {"map", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
-                               {"identification", QT_TRANSLATE_NOOP("RunWords", "Motor")},
-                               {"diagnosis", QT_TRANSLATE_NOOP("RunWords", "Diagnosis")},
-                               {"recording", QT_TRANSLATE_NOOP("RunWords", "Recording")},
-                               {"tuning", QT_TRANSLATE_NOOP("RunWords", "Tuning")},
-                               {"batch", QT_TRANSLATE_NOOP("RunWords", "Batch")},
-                               {"files", QT_TRANSLATE_NOOP("RunWords", "Files")}};
+constexpr RunInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
+                                    {"map", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
+                                    {"identification", QT_TRANSLATE_NOOP("RunWords", "Motor")},
+                                    {"diagnosis", QT_TRANSLATE_NOOP("RunWords", "Diagnosis")},
+                                    {"recording", QT_TRANSLATE_NOOP("RunWords", "Recording")},
+                                    {"tuning", QT_TRANSLATE_NOOP("RunWords", "Tuning")},
+                                    {"batch", QT_TRANSLATE_NOOP("RunWords", "Batch")},
+                                    {"files", QT_TRANSLATE_NOOP("RunWords", "Files")}};
 
-constexpr Words verdictWords[] = {{"nothing_missing", QT_TRANSLATE_NOOP("RunWords", "nothing missing")},
-                                  {"named", QT_TRANSLATE_NOOP("RunWords", "named")},
-                                  {"ambiguous", QT_TRANSLATE_NOOP("RunWords", "ambiguous")},
-                                  {"outside_catalogue", QT_TRANSLATE_NOOP("RunWords", "something without a name")},
-                                  {"undecided", QT_TRANSLATE_NOOP("RunWords", "too little to tell")}};
+constexpr RunInWords verdictWords[] = {{"nothing_missing", QT_TRANSLATE_NOOP("RunWords", "nothing missing")},
+                                       {"named", QT_TRANSLATE_NOOP("RunWords", "named")},
+                                       {"ambiguous", QT_TRANSLATE_NOOP("RunWords", "ambiguous")},
+                                       {"outside_catalogue", QT_TRANSLATE_NOOP("RunWords", "something without a name")},
+                                       {"undecided", QT_TRANSLATE_NOOP("RunWords", "too little to tell")}};
 
 // What a person compares first; the first two that a run has are told.
-constexpr Words headlines[] = {{"static_average_Nm", QT_TRANSLATE_NOOP("RunWords", "static")},
-                               {"static_average_N", QT_TRANSLATE_NOOP("RunWords", "static")},
-                               {"coulomb_average_Nm", QT_TRANSLATE_NOOP("RunWords", "Coulomb")},
-                               {"coulomb_average_N", QT_TRANSLATE_NOOP("RunWords", "Coulomb")},
-                               {"torque_constant_Nm_per_A", QT_TRANSLATE_NOOP("RunWords", "Kt")},
-                               {"resistance_ohm", QT_TRANSLATE_NOOP("RunWords", "R")},
-                               {"inertia_kg_m2", QT_TRANSLATE_NOOP("RunWords", "J")}};
+constexpr RunInWords headlines[] = {{"static_average_Nm", QT_TRANSLATE_NOOP("RunWords", "static")},
+                                    {"static_average_N", QT_TRANSLATE_NOOP("RunWords", "static")},
+                                    {"coulomb_average_Nm", QT_TRANSLATE_NOOP("RunWords", "Coulomb")},
+                                    {"coulomb_average_N", QT_TRANSLATE_NOOP("RunWords", "Coulomb")},
+                                    {"torque_constant_Nm_per_A", QT_TRANSLATE_NOOP("RunWords", "Kt")},
+                                    {"resistance_ohm", QT_TRANSLATE_NOOP("RunWords", "R")},
+                                    {"inertia_kg_m2", QT_TRANSLATE_NOOP("RunWords", "J")}};
 constexpr int mostHeadlines = 2;
 
-QString translated(const char* text) {
+QString runText(const char* text) {
   return QCoreApplication::translate("RunWords", text);
 }
 
 template <size_t count>
-QString wordsFor(const Words (&list)[count], const std::string& name) {
-  for (const Words& one : list) {
-    if (name == one.name) return translated(one.words);
+QString wordsFor(const RunInWords (&list)[count], const std::string& name) {
+  for (const RunInWords& one : list) {
+    if (name == one.name) return runText(one.words);
   }
   return QString::fromStdString(name);
 }
@@ -70,20 +70,19 @@ QString timeInWords(const ProjectRun& run) {
 }
 
 QString titleOf(const ProjectRun& run) {
-  const QString title =
-      translated(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
+  const QString title = runText(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
   return run.name.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(run.name));
 }
 
 QString resultInWords(const ProjectRun& run) {
-  if (run.state == RunState::recording) return translated(QT_TRANSLATE_NOOP("RunWords", "being recorded"));
+  if (run.state == RunState::recording) return runText(QT_TRANSLATE_NOOP("RunWords", "being recorded"));
   QStringList parts;
   if (!run.verdict.empty()) {
     parts << wordsFor(verdictWords, run.verdict);
   } else {
-    for (const Words& one : headlines) {
+    for (const RunInWords& one : headlines) {
       const RunValue* value = run.value(one.name);
-      if (value != nullptr && parts.size() < mostHeadlines) parts << headlineOf(translated(one.words), *value);
+      if (value != nullptr && parts.size() < mostHeadlines) parts << headlineOf(runText(one.words), *value);
     }
   }
   return parts.join(", ");

@@ -14,7 +14,7 @@ namespace {
 
 enum class Unit { gain, integral, derivative, integralPerTime, perTime, inertia, constant, current, speed };
 
-struct Words {
+struct SettingInWords {
   double ControllerSettings::*setting;
   Unit unit;
   const char* title;
@@ -23,7 +23,7 @@ struct Words {
 };
 
 using S = ControllerSettings;
-constexpr Words table[] = {
+constexpr SettingInWords settingTable[] = {
     {&S::velocity_kp_A_s_per_rad, Unit::gain, QT_TRANSLATE_NOOP("SettingWords", "Velocity Kp"), nullptr,
      QT_TRANSLATE_NOOP("SettingWords", "Current per velocity error: stiffer against loads, and louder.")},
     {&S::velocity_ki_A_per_rad, Unit::integral, QT_TRANSLATE_NOOP("SettingWords", "Velocity Ki"), nullptr,
@@ -50,7 +50,7 @@ constexpr Words table[] = {
     {&S::velocity_limit_rad_per_s, Unit::speed, QT_TRANSLATE_NOOP("SettingWords", "Velocity limit"), nullptr,
      QT_TRANSLATE_NOOP("SettingWords", "The controller goes no faster than this, either way.")}};
 
-QString translated(const char* text) {
+QString settingText(const char* text) {
   return QCoreApplication::translate("SettingWords", text);
 }
 
@@ -64,16 +64,16 @@ QString unitText(Unit unit, Axis axis) {
     case Unit::derivative:
       return units.derivative;
     case Unit::integralPerTime:
-      return axis == Axis::linear ? translated(QT_TRANSLATE_NOOP("SettingWords", "A/(m s)"))
-                                  : translated(QT_TRANSLATE_NOOP("SettingWords", "A/(rad s)"));
+      return axis == Axis::linear ? settingText(QT_TRANSLATE_NOOP("SettingWords", "A/(m s)"))
+                                  : settingText(QT_TRANSLATE_NOOP("SettingWords", "A/(rad s)"));
     case Unit::perTime:
-      return translated(QT_TRANSLATE_NOOP("SettingWords", "rad/s"));
+      return settingText(QT_TRANSLATE_NOOP("SettingWords", "rad/s"));
     case Unit::inertia:
       return units.inertia;
     case Unit::constant:
       return units.constant;
     case Unit::current:
-      return translated(QT_TRANSLATE_NOOP("SettingWords", "A"));
+      return settingText(QT_TRANSLATE_NOOP("SettingWords", "A"));
     case Unit::speed:
       return units.speed;
   }
@@ -85,17 +85,17 @@ QString unitText(Unit unit, Axis axis) {
 QString SettingWords::rangeText(const SettingRange& range) const {
   const QString least = numberText(scale * range.least, 4);
   return std::isfinite(range.most)
-             ? translated(QT_TRANSLATE_NOOP("SettingWords", "%1 to %2")).arg(least, numberText(scale * range.most, 4))
-             : translated(QT_TRANSLATE_NOOP("SettingWords", "%1 and more")).arg(least);
+             ? settingText(QT_TRANSLATE_NOOP("SettingWords", "%1 to %2")).arg(least, numberText(scale * range.most, 4))
+             : settingText(QT_TRANSLATE_NOOP("SettingWords", "%1 and more")).arg(least);
 }
 
 SettingWords settingWords(double ControllerSettings::*setting, Axis axis) {
-  const auto* found =
-      std::find_if(std::begin(table), std::end(table), [&](const Words& one) { return one.setting == setting; });
-  if (found == std::end(table)) return {};
+  const auto* found = std::find_if(std::begin(settingTable), std::end(settingTable),
+                                   [&](const SettingInWords& one) { return one.setting == setting; });
+  if (found == std::end(settingTable)) return {};
   const bool other = axis == Axis::linear && found->linearTitle != nullptr;
-  return {translated(other ? found->linearTitle : found->title), unitText(found->unit, axis),
-          found->unit == Unit::inertia ? unitsOf(axis).inertiaScale : 1.0, translated(found->meaning)};
+  return {settingText(other ? found->linearTitle : found->title), unitText(found->unit, axis),
+          found->unit == Unit::inertia ? unitsOf(axis).inertiaScale : 1.0, settingText(found->meaning)};
 }
 
 }  // namespace breakaway

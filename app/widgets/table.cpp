@@ -6,7 +6,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int rowHeight = 24;
+constexpr int tableRowHeight = 24;
 }  // namespace
 
 QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
@@ -25,7 +25,7 @@ QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& 
   table->setCornerButtonEnabled(false);
   table->setTabKeyNavigation(false);
   table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(rowHeight);
+  table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeader()->setHighlightSections(false);
   return table;

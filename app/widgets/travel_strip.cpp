@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double mm = 1e3;
+constexpr double stripMm = 1e3;
 constexpr double rail_px = 26.0, carriage_px = 12.0, side_px = 40.0, stop_px = 12.0;
 constexpr double leastSpan_m = 0.1;  // before anything is known
 constexpr int mostTicks = 10, leastHeight = 130;
@@ -91,7 +91,7 @@ void TravelStrip::paintTicks(QPainter& painter, const Scale& at, double y) const
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + 7.0));
     painter.setPen(look.muted);
     painter.drawText(QRectF(x - 40.0, bottom + 9.0, 80.0, 18.0), Qt::AlignCenter,
-                     QString::number(mm * tick * step_m, 'g', 6));
+                     QString::number(stripMm * tick * step_m, 'g', 6));
   }
   painter.setPen(look.muted);
   painter.drawText(QRectF(at.left_px, bottom + 28.0, at.width_px, 18.0), Qt::AlignCenter,
@@ -114,7 +114,7 @@ void TravelStrip::paintCarriage(QPainter& painter, const Scale& at, double y) co
   painter.drawRoundedRect(QRectF(x - 0.5 * carriage_px, y - 0.5 * rail_px - 16.0, carriage_px, 14.0), 2.0, 2.0);
   painter.setPen(look.ink);
   painter.setFont(typed(Type::section));
-  const double shown_mm = mm * (*position_m_ - index_m_.value_or(0.0));
+  const double shown_mm = stripMm * (*position_m_ - index_m_.value_or(0.0));
   const double textX = std::clamp(x - 70.0, 0.0, std::max(0.0, width() - 140.0));
   painter.drawText(QRectF(textX, y - 0.5 * rail_px - 48.0, 140.0, 26.0), Qt::AlignCenter,
                    tr("%1 mm").arg(shown_mm, 0, 'f', 2));

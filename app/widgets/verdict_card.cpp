@@ -20,7 +20,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int height_px = 104, barsWidth = 340, leastBarsWidth = 244, nameWidth = 108, textWidth = 84, barHeight = 12,
+constexpr int cardHeight = 104, barsWidth = 340, leastBarsWidth = 244, nameWidth = 108, textWidth = 84, barHeight = 12,
               barStep = 21, proofHeight = 28;
 
 QString verdictSentence(const Diagnosis& diagnosis) {
@@ -117,7 +117,7 @@ class VerdictCard::Bars : public QWidget {
 VerdictCard::VerdictCard(Comparison& comparison, QWidget* parent) : QFrame(parent), comparison_(comparison) {
   setObjectName("verdictCard");
   setProperty("role", "card");
-  setFixedHeight(height_px);
+  setFixedHeight(cardHeight);
   auto* column = columnIn(this, 2, {20, 8, 16, 8});
   title_ = new ElidedLabel("verdict", this);
   title_->setFont(typed(Type::section));
