@@ -3,6 +3,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "support/temporary.h"
@@ -36,9 +37,15 @@ void TestRooms::initTestCase() {
 }
 
 bool TestRooms::holds(const QString& together, const QString& source) {
-  if (!together.contains("/Unity/")) return false;
+  static const QRegularExpression included("^#include \"(.*)\"$", QRegularExpression::MultilineOption);
+  if (!together.contains("/together/")) return false;
   QFile file(together);
-  return file.open(QIODevice::ReadOnly) && file.readAll().contains('/' + source.toUtf8() + '"');
+  if (!file.open(QIODevice::ReadOnly)) return false;
+  const QString text = file.readAll();
+  for (auto each = included.globalMatch(text); each.hasNext();) {
+    if (('/' + source).endsWith('/' + each.next().captured(1))) return true;
+  }
+  return false;
 }
 
 QString TestRooms::complaint(const QString& source, const QString& include) const {
