@@ -17,9 +17,8 @@ endif()
 
 # breakaway_room(NAME [FOLDER FOLDER] [SPELT FROM] [KIND KIND] [ALONE] [MOC] [USES ROOM…] [PUBLIC LIBRARY…] [PRIVATE LIBRARY…]):
 # the target breakaway_NAME of the sources in FOLDER (default NAME), of the given kind (default plain), whose headers must
-# stand alone: one with a source of its own does, for that source includes it first. It sees its own headers and
-# those of the rooms that it uses, with what these use; an include of any other room's header doesn't compile. For that
-# each room has an include folder of its own in the build folder, with a link to the room and nothing else. Includes are
+# stand alone (./dev lint compiles each). It sees its own headers and those of the rooms that it uses, with what these use; an
+# include of any other room's header doesn't compile. For that each room has an include folder of its own in the build folder, with a link to the room and nothing else. Includes are
 # spelt from the folder FROM (default: the caller's). ALONE: without the folders in FOLDER, which are rooms themselves.
 # MOC: its classes are Qt's, and its headers needn't stand alone.
 # With BREAKAWAY_TOGETHER, up to twelve sources of a room are compiled as one: what a source calls its own, no other source of
@@ -79,18 +78,8 @@ function(breakaway_room name)
     set_target_properties(breakaway_${name} PROPERTIES AUTOMOC ON)
     target_include_directories(breakaway_${name} ${seen} ${includes})
   else()
-    set(alone ${headers})
-    foreach(header ${headers})
-      string(REGEX REPLACE "[.]h$" "" source ${header})
-      if(${folder}/${source}.cpp IN_LIST sources OR ${folder}/${source}_posix.cpp IN_LIST sources)
-        list(REMOVE_ITEM alone ${header})
-      endif()
-    endforeach()
     list(TRANSFORM headers PREPEND ${includes}/${spelt}/)
-    list(TRANSFORM alone PREPEND ${includes}/${spelt}/)
-    target_sources(breakaway_${name} ${seen} FILE_SET HEADERS BASE_DIRS ${includes} FILES ${headers}
-      FILE_SET alone TYPE HEADERS BASE_DIRS ${includes} FILES ${alone})
-    set_target_properties(breakaway_${name} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY alone)
+    target_sources(breakaway_${name} ${seen} FILE_SET HEADERS BASE_DIRS ${includes} FILES ${headers})
   endif()
 endfunction()
 

@@ -1,5 +1,5 @@
 # What most sources read anyway is read once for each kind of target: half of a cold build went into it. A source names what it
-# uses all the same: clang-tidy reads each one without (./dev lint).
+# uses all the same.
 
 # breakaway_kind(NAME LIBRARY… HEADERS HEADER…): the kind NAME, precompiled with what targets of that kind compile with.
 function(breakaway_kind name)
