@@ -24,4 +24,15 @@ inline QByteArray pushedMassRecording(int rows = 5000, const QByteArray& positio
   return text;
 }
 
+/// A mass that is pushed to and fro against a constant load: soon diagnosed, and something is missing.
+inline QByteArray loadedMassRecording() {
+  QByteArray text = "time_s,position_m,force_N\n";
+  for (int k = 0; k < 400; ++k) {
+    const double t = 0.02 * k, friction_N = std::cos(6.0 * t) > 0.0 ? 20.0 : -20.0;
+    text += QByteArray::number(t) + "," + QByteArray::number(0.01 * std::sin(6.0 * t), 'g', 9) + "," +
+            QByteArray::number(15.0 + friction_N - 34.2 * std::sin(6.0 * t), 'g', 9) + "\n";
+  }
+  return text;
+}
+
 }  // namespace breakaway::test

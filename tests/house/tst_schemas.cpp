@@ -143,21 +143,10 @@ const std::pair<const char*, QStringList> writingCommands[] = {
     {"batch list.jsonl --out results.jsonl", {}},
 };
 
-/// A mass that is pushed to and fro against a constant load: soon diagnosed, and something is missing.
-QByteArray loadedRecording() {
-  QByteArray text = "time_s,position_m,force_N\n";
-  for (int k = 0; k < 400; ++k) {
-    const double t = 0.02 * k, friction_N = std::cos(6.0 * t) > 0.0 ? 20.0 : -20.0;
-    text += QByteArray::number(t) + "," + QByteArray::number(0.01 * std::sin(6.0 * t), 'g', 9) + "," +
-            QByteArray::number(15.0 + friction_N - 34.2 * std::sin(6.0 * t), 'g', 9) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 void TestSchemas::initTestCase() {
-  folder_.write("loaded.csv", loadedRecording().toStdString());
+  folder_.write("loaded.csv", loadedMassRecording().toStdString());
   folder_.write("b.json", pushedMassBench().toStdString());
   folder_.write("r.csv", pushedMassRecording(200, {}, "time_s,position_m,force_N", 4e-2).toStdString());
   folder_.write("list.jsonl", R"({"id": 1, "bench": "b.json", "recordings": ["loaded.csv"], "site": "x"})"
