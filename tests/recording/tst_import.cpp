@@ -99,8 +99,8 @@ void TestImport::badFiles_getOneLine_data() {
   row("times fall", "time;angle\n0;0\n0,2;1\n0,1;2\n0,3;2\n",
       "row 3, column time_s: 0.1 does not increase after 0.2, expected strictly increasing times");
   row("text in a number", "time;angle\n0;0\n1;abc\n2;0\n", "row 2, column angle: expected a number, found \"abc\"");
-  row("thousands", "time;angle\n0,5;0\n1,5;1.000,5\n2,5;0\n",
-      "row 2, column angle: expected a number, found \"1.000,5\"");
+  row("a point and a comma", "time;angle\n0,5;0\n1,5;1.00,5\n2,5;0\n",
+      "row 2, column angle: expected a number, found \"1.00,5\"");
   row("ragged", "time,angle\n0,0\n1,1,1\n2,2\n3,3\n", "row 2: has 3 cells, expected 2");
   row("broken JSON", "{\"entries\":\n [{\"t\": }]}", "line 2: is not valid JSON");
   row("JSON without a log", "{\"a\": 1}",

@@ -58,6 +58,7 @@ class TestImportByValues : public QObject {
   void placeThatDoesNotGoWithARotation_isKept();
   void headingThatTurnsWithItsDrive_isNoMotors();
   void voltageOfAnInputThatGoesBelowZero_isTheMotors();
+  void jointAlone_isItsAngleWhereNothingElseMoves();
 
  private:
   Result<Imported> logOf(const std::vector<NamedWave>& columns, int rows = 600) {
@@ -230,6 +231,21 @@ void TestImportByValues::voltageOfAnInputThatGoesBelowZero_isTheMotors() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "input_voltage"), "voltage_V");
   QVERIFY(fateOf(*log, "input_voltage").guessed);
+}
+
+void TestImportByValues::jointAlone_isItsAngleWhereNothingElseMoves() {
+  const auto still = [](int) { return 0.5; };
+  const auto joints = logOf({{"time_s", clockOf}, {"elbow_cmd", elsewhere}, {"elbow_act", turnedBy}, {"wrist", still}});
+  VERIFY_OK(joints);
+  QCOMPARE(meaning(*joints, "elbow_act"), std::string("angle_rad"));
+  QCOMPARE(meaning(*joints, "elbow_cmd"), std::string("angle_reference_rad"));
+  QCOMPARE(meaning(*joints, "wrist"), std::string());
+  QVERIFY(fateOf(*joints, "elbow_act").guessed);
+  const auto beside = logOf({{"time_s", clockOf}, {"knee", elsewhere}, {"velocity_rad_per_s", speedOfMotion}});
+  VERIFY_OK(beside);
+  QCOMPARE(meaning(*beside, "knee"), std::string());
+  const auto current = logOf({{"time_s", clockOf}, {"knee [A]", elsewhere}});
+  QVERIFY(!current.ok());
 }
 
 QTEST_APPLESS_MAIN(TestImportByValues)

@@ -28,6 +28,8 @@ class TestImportShapes : public QObject {
   void namesInAnOlderEncoding_areUnderstood();
   void umlautsOfWindows_stayThose();
   void unitBehindAComma_isTheNames();
+  void marksOfThousands_areNoDecimals_data();
+  void marksOfThousands_areNoDecimals();
   void nameOfEachLine_isNoNameOfAList();
   void rowsOfSignalsInTurn_makeNoPauses();
   void rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem();
@@ -264,6 +266,31 @@ void TestImportShapes::referenceWithoutAUnit_goesAboutAsFar() {
   };
   QVERIFY(std::abs(first(1.0) - 100.0) < 0.1);
   QVERIFY(std::abs(first(0.1047) - 100.0) < 0.1);
+}
+
+void TestImportShapes::marksOfThousands_areNoDecimals_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<double>("speed");
+  const auto rowsOf = [](const QString& head, const QString& form) {
+    QString text = head;
+    for (int k = 0; k < rows; ++k) text += QString(form).replace("%1", QString::number(10 + k));
+    return text;
+  };
+  QTest::newRow("dots, beside decimal commas") << rowsOf("t_s;speed_rad_s\n", "%1,5;1.234\n") << 1234.0;
+  QTest::newRow("dots and a decimal comma") << rowsOf("t_s;speed_rad_s\n", "%1,5;-1.234.567,5\n") << -1234567.5;
+  QTest::newRow("commas, beside decimal points") << rowsOf("t_s,speed_rad_s\n", "%1.5,\"1,234\"\n") << 1234.0;
+  QTest::newRow("commas and a decimal point") << rowsOf("t_s,speed_rad_s\n", "%1.5,\"1,234.5\"\n") << 1234.5;
+  QTest::newRow("decimal commas of three digits") << rowsOf("t_s;speed_rad_s\n", "%1,250;1,234\n") << 1.234;
+  QTest::newRow("decimal points of three digits") << rowsOf("t_s;speed_rad_s\n", "%1.250;1.234\n") << 1.234;
+  QTest::newRow("both marks for decimals") << rowsOf("t_s;speed_rad_s;x\n", "%1,5;1.234;0.5\n") << 1.234;
+}
+
+void TestImportShapes::marksOfThousands_areNoDecimals() {
+  QFETCH(QString, text);
+  QFETCH(double, speed);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.channel("velocity_rad_per_s")[5], speed);
 }
 
 void TestImportShapes::unitBehindAComma_isTheNames() {

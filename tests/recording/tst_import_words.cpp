@@ -23,6 +23,9 @@ void TestImportWords::names_areUnderstood_data() {
   };
   constexpr double degree = std::numbers::pi / 180.0;
   row("time_s", "time_s");
+  row("t_offset_s", "time_s");
+  row("time_offset_ms", "time_s", 1e-3);
+  row("position_offset_s", "");
   row("t", "time_s");
   row("Timestamp", "time_s");
   row("Zeit [ms]", "time_s", 1e-3);

@@ -350,6 +350,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeForeignNames(table, choices);
   takeAnglesByValues(table, choices);
   takeMotionByValues(table, choices);
+  takeJointsAlone(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

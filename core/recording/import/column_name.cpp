@@ -93,8 +93,9 @@ Words withoutWord(Words words, size_t at) {
 /// Words that make it something else wherever they stand; a joint's "roll" becomes its axis.
 Message otherThing(NameParts& parts) {
   if (const std::string* other = firstIn(parts.words, otherThings)) {
-    const bool clock = *other == "sim" && isIn(parts.words, "time");
-    if (!clock && (*other != "sum" || parts.words.size() > 1))
+    const bool clock = isIn(parts.words, "time") || isIn(parts.words, "t");
+    const bool sinceStart = parts.unit != nullptr && parts.unit->kind == UnitKind::time && *other == "offset";
+    if ((!clock || (*other != "sim" && !sinceStart)) && (*other != "sum" || parts.words.size() > 1))
       return message("the word \"{}\" makes it something else", *other);
   }
   const std::string* heading = firstIn(parts.words, headings);

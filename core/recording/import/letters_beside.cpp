@@ -108,7 +108,7 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "p" and "v" beside "p_des" and "v_des", or beside "kp" and "kd", are where a motor is and how fast, as the frames of
+/// "p" and "v" beside "p_des" or "v_des", or beside "kp" and "kd", are where a motor is and how fast, as the frames of
 /// such motors call them.
 void takeStateLetters(const RawTable& table, std::vector<Choice>& choices) {
   const auto wordsAt = [&table](size_t c) { return wordsOf(table.columns[c].channel.name, true); };
@@ -125,7 +125,7 @@ void takeStateLetters(const RawTable& table, std::vector<Choice>& choices) {
     }
     return false;
   };
-  const bool gains = has("kp", false) && has("kd", false), wanted = has("p", true) && has("v", true);
+  const bool gains = has("kp", false) && has("kd", false), wanted = has("p", true) || has("v", true);
   if (!has("p", false) || !has("v", false) || (!gains && !wanted)) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     if (choices[c].byMap || choices[c].byTool) continue;

@@ -1,6 +1,7 @@
 #include "recording/import/motion_beside.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -187,6 +188,30 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
       take(speed, "speed", angle);
       return;
     }
+  }
+}
+
+void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto joints = std::to_array<std::string_view>(
+      {"joint", "joints", "wrist", "forearm", "elbow", "shoulder", "hip", "knee", "ankle", "waist"});
+  for (const Choice& one : choices) {
+    const std::string& to = one.name.to;
+    if (to.starts_with("angle") || to.starts_with("position") || to.starts_with("velocity")) return;
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const RawColumn& column = table.columns[c];
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const std::string* joint = firstIn(parts.words, joints);
+    const bool alone = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+      return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word);
+    });
+    const bool angle = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::angle;
+    const bool open = !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !column.fault;
+    if (joint == nullptr || !alone || !angle || !open || !(rangeOf(column.channel.values) > 0.0)) continue;
+    const bool reference = firstIn(parts.words, referenceWords) != nullptr;
+    choices[c].name = understandName(reference ? "angle_cmd" : "angle", parts.unitText);
+    choices[c].name.group = *joint + parts.group;
+    choices[c].name.guess = message("it is called by a joint alone, and nothing else tells a motion");
   }
 }
 

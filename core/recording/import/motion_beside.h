@@ -30,4 +30,7 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices);
 /// and that other one its speed; of a chain (place, speed, acceleration) the first two. Both are guesses.
 void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices);
 
+/// Where no name tells a motion, what is called by a joint alone is its angle, as a guess: "joint_1", "elbow_act".
+void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices);
+
 }  // namespace breakaway

@@ -1,4 +1,5 @@
 // What columns are that no name told: what drives the motion, and what it was to follow, by the values themselves.
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,33 +13,22 @@ namespace breakaway {
 
 namespace {
 
-using SpanMeans = std::vector<double>;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
-double innerProduct(const SpanMeans& a, const SpanMeans& b) {
-  double sum = 0.0;
-  for (size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
-}
-
-/// Takes out of `values` what they have in common with `basis`; how often the basis stood in them.
-double takeOut(SpanMeans& values, const SpanMeans& basis) {
-  const double size = innerProduct(basis, basis);
-  const double share = size > 0.0 ? innerProduct(values, basis) / size : 0.0;
-  for (size_t k = 0; k < values.size(); ++k) values[k] -= share * basis[k];
-  return share;
-}
-
-/// Means over spans of rows: of a drive, and of what it has to overcome.
+/// Means over spans of rows, a row each: of a drive, and of what it has to overcome (constant, direction, speed,
+/// acceleration; as many rows × 4).
 struct Spans {
-  SpanMeans drive, constant, direction, speed, acceleration;
+  VectorXd drive;
+  MatrixXd overcome;
 };
 
-Spans spansOf(const SpanMeans& time_s, const SpanMeans& speed, const SpanMeans& drive,
+Spans spansOf(const std::vector<double>& time_s, const std::vector<double>& speed, const std::vector<double>& drive,
               const std::vector<size_t>& pauses) {
   constexpr size_t mostSpans = 200;
   const size_t rows = speed.size(), length = std::max<size_t>(2, rows / mostSpans);
   const double standing = 0.02 * largest(speed);
-  Spans spans;
+  Spans spans{VectorXd(rows / length), MatrixXd(rows / length, 4)};
+  Eigen::Index count = 0;
   for (size_t from = 0; from + length < rows; from += length) {
     const size_t to = from + length;
     const bool pause = std::any_of(pauses.begin(), pauses.end(), [&](size_t at) { return at > from && at <= to; });
@@ -50,45 +40,32 @@ Spans spansOf(const SpanMeans& time_s, const SpanMeans& speed, const SpanMeans& 
     }
     const double gained = (speed[to] - speed[from]) / (time_s[to] - time_s[from]);
     if (pause || !std::isfinite(driven + moved + gained)) continue;
-    spans.drive.push_back(driven);
-    spans.constant.push_back(1.0);
-    spans.direction.push_back(way);
-    spans.speed.push_back(moved);
-    spans.acceleration.push_back(gained);
+    spans.drive[count] = driven;
+    spans.overcome.row(count++) << 1.0, way, moved, gained;
   }
-  return spans;
+  return {spans.drive.head(count), spans.overcome.topRows(count)};
 }
 
 /// Which part of the drive's variance acceleration and friction make.
-double explainedBy(Spans spans) {
-  constexpr size_t fewest = 20;
-  if (spans.drive.size() < fewest) return 0.0;
-  const std::array<SpanMeans*, 4> bases{&spans.constant, &spans.direction, &spans.speed, &spans.acceleration};
-  double all = 0.0;
-  for (size_t k = 0; k < bases.size(); ++k) {
-    for (size_t before = 0; before < k; ++before) takeOut(*bases[k], *bases[before]);
-    takeOut(spans.drive, *bases[k]);
-    if (k == 0) all = innerProduct(spans.drive, spans.drive);
-  }
-  return all > 0.0 ? 1.0 - innerProduct(spans.drive, spans.drive) / all : 0.0;
+double explainedBy(const VectorXd& drive, const MatrixXd& overcome) {
+  constexpr Eigen::Index fewest = 20;
+  if (drive.size() < fewest) return 0.0;
+  const double all = (drive.array() - drive.mean()).matrix().squaredNorm();
+  const VectorXd rest = drive - overcome * overcome.colPivHouseholderQr().solve(drive);
+  return all > 0.0 ? 1.0 - rest.squaredNorm() / all : 0.0;
 }
 
 /// How much more acceleration and friction make of the drive than of the same drive at other times: a motion that
 /// repeats itself says nothing, as any wave of its period would go with it. 0 where it takes energy out of the motion.
 double saidBy(const Spans& spans) {
-  if (innerProduct(spans.drive, spans.speed) <= 0.0) return 0.0;
-  const double explained = explainedBy(spans);
+  if (spans.drive.dot(spans.overcome.col(2)) <= 0.0) return 0.0;
   constexpr auto shares = std::to_array({0.11, 0.19, 0.27, 0.38, 0.5});
   double elsewhere = 0.0;
   for (const double share : shares) {
-    const auto by = static_cast<std::ptrdiff_t>(share * static_cast<double>(spans.drive.size()));
-    Spans moved = spans;
-    moved.drive.erase(moved.drive.begin(), moved.drive.begin() + by);
-    for (SpanMeans* one : {&moved.constant, &moved.direction, &moved.speed, &moved.acceleration})
-      one->resize(moved.drive.size());
-    elsewhere += explainedBy(std::move(moved)) / static_cast<double>(shares.size());
+    const Eigen::Index left = spans.drive.size() - static_cast<Eigen::Index>(share * spans.drive.size());
+    elsewhere += explainedBy(spans.drive.tail(left), spans.overcome.topRows(left)) / shares.size();
   }
-  return explained - elsewhere;
+  return explainedBy(spans.drive, spans.overcome) - elsewhere;
 }
 
 /// How much two columns have in common about their means, and how often the first stands in the second.
@@ -96,18 +73,18 @@ struct Following {
   double correlation = 0.0, slope = 0.0;
 };
 
-Following followingOf(SpanMeans reference, SpanMeans measured) {
-  SpanMeans constant;
+Following followingOf(const std::vector<double>& reference, const std::vector<double>& measured) {
+  MatrixXd both(reference.size(), 2);
+  Eigen::Index count = 0;
   for (size_t k = 0; k < reference.size(); ++k) {
-    const bool there = std::isfinite(reference[k]) && std::isfinite(measured[k]);
-    constant.push_back(there ? 1.0 : 0.0);
-    if (!there) reference[k] = measured[k] = 0.0;
+    if (std::isfinite(reference[k]) && std::isfinite(measured[k])) both.row(count++) << reference[k], measured[k];
   }
-  takeOut(reference, constant);
-  takeOut(measured, constant);
-  const double size = innerProduct(reference, reference), other = innerProduct(measured, measured);
+  if (count == 0) return {};
+  const MatrixXd about = both.topRows(count).rowwise() - both.topRows(count).colwise().mean();
+  const double size = about.col(0).squaredNorm(), other = about.col(1).squaredNorm();
   if (!(size > 0.0) || !(other > 0.0)) return {};
-  return {innerProduct(reference, measured) / std::sqrt(size * other), innerProduct(reference, measured) / size};
+  const double common = about.col(0).dot(about.col(1));
+  return {common / std::sqrt(size * other), common / size};
 }
 
 bool namesOnlyReference(const Words& words) {
@@ -171,7 +148,7 @@ void Settling::takeDrivesByValues() {
   const auto speed = columnOf("velocity_rad_per_s");
   const auto angle = columnOf("angle_rad");
   if ((!speed && !angle) || time_.time_s.size() < 3) return;
-  SpanMeans moved = speed ? values(*speed) : changesOf(values(*angle));
+  std::vector<double> moved = speed ? values(*speed) : changesOf(values(*angle));
   if (!speed) {
     for (size_t k = 1; k < moved.size(); ++k) moved[k] /= time_.time_s[k] - time_.time_s[k - 1];
     moved.front() = moved[1];
@@ -222,9 +199,9 @@ void Settling::takeReferencesByValues() {
       if (!fits || (parts.unit != nullptr && parts.unit->needs != UnitNeeds::nothing)) continue;
       const double scale =
           parts.unit == nullptr ? fates_[*measured].scale : parts.unit->scale * parts.factor * gear(name);
-      SpanMeans shall = values(c);
+      std::vector<double> shall = values(c);
       convert(shall, scale, 0.0);
-      const Following one = followingOf(std::move(shall), values(*measured));
+      const Following one = followingOf(shall, values(*measured));
       if (one.correlation < bestCorrelation || one.slope < least || one.slope > most) continue;
       best = measured;
       bestScale = scale;

@@ -61,6 +61,7 @@ Result<Imported> Settling::run() {
   if (const auto done = takeTime(); !done) return done.error();
   if (const auto done = sparseRows(); !done) return done.error();
   sayPauses(time_, remarks_);
+  signByDirection({"velocity_rad_per_s", "velocity_m_per_s"});
   if (const auto done = takeIntegral(); !done) return done.error();
   if (const auto done = takeAngle(); !done) return done.error();
   takeSpeedByValues();
@@ -69,6 +70,7 @@ Result<Imported> Settling::run() {
   takeDrivesByValues();
   takeReferencesByValues();
   if (const auto done = takeDuty(); !done) return done.error();
+  signByDirection({"duty", "voltage_V"});
   settleVoltage();
   for (size_t c = 0; c < choices_.size(); ++c) {
     if (isOpen(c)) {

@@ -1,6 +1,7 @@
 // A log on its way to a recording: the steps that importing takes, in the order of run().
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
@@ -95,6 +96,13 @@ class Settling {
   void takeDrivesByValues();
   /// "Setpoint" is what the angle or the speed follows.
   void takeReferencesByValues();
+  /// Gives those of `names` that are never negative the sign that a column of directions tells.
+  void signByDirection(std::initializer_list<const char*> names);
+  bool tellsDirection(size_t c) const;
+  /// Per row 1 or −1; empty when the column tells none.
+  std::vector<double> directionsAt(size_t c);
+  /// Turns `signs` where the motion is the other way round; false where the column needs none.
+  bool directionFits(size_t c, std::vector<double>& signs);
   bool goesBelowZero(const std::string& name);
   bool turnsBothWays();
   Result<void> takeIntegral();

@@ -54,6 +54,21 @@ bool isDecimalComma(std::string_view cell) {
          cell.find(',', comma + 1) == std::string_view::npos;
 }
 
+/// "1.234", "-12.345.678,9": one to three digits, of which the first is no 0, and groups of three behind `mark`.
+bool hasGroups(std::string_view cell, char mark) {
+  if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+  const size_t decimals = cell.find(mark == '.' ? ',' : '.');
+  if (decimals != std::string_view::npos && decimals + 1 == cell.size()) return false;
+  const std::string_view whole = cell.substr(0, decimals);
+  if (whole.find(mark) == std::string_view::npos || whole.front() == '0') return false;
+  size_t digits = 0;
+  for (size_t k = whole.size(); k-- > 0;) {
+    if (whole[k] == mark ? digits != 3 : !isAnyDigit(whole[k]) || digits == 3) return false;
+    digits = whole[k] == mark ? 0 : digits + 1;
+  }
+  return digits > 0;
+}
+
 /// Parts a large number of plain digits in a whole number and the rest.
 void keepAllDigits(const char* start, const char* end, TextNumber& number) {
   int64_t whole = 0;
@@ -72,9 +87,23 @@ void keepAllDigits(const char* start, const char* end, TextNumber& number) {
   number.rest = whole < 0 ? -rest : rest;
 }
 
+/// How the numbers of a text are written.
+struct NumberMarks {
+  bool decimalComma = false, grouped = false;
+};
+
+NumberMarks marksOf(const TextLayout& layout) {
+  return {layout.decimalComma, layout.grouped};
+}
+
 /// The number that is all of the cell, or, with `unitMayFollow`, its beginning.
-bool readNumber(std::string_view cell, bool comma, bool unitMayFollow, TextNumber& number) {
-  std::array<char, 64> copy{};
+bool readNumber(std::string_view cell, NumberMarks marks, bool unitMayFollow, TextNumber& number) {
+  const bool comma = marks.decimalComma;
+  std::array<char, 64> copy{}, bare{};
+  if (marks.grouped && cell.size() < bare.size() && hasGroups(cell, comma ? '.' : ',')) {
+    char* behind = std::remove_copy(cell.begin(), cell.end(), bare.begin(), comma ? '.' : ',');
+    cell = {bare.data(), static_cast<size_t>(behind - bare.data())};
+  }
   const char* start = cell.data();
   const char* end = start + cell.size();
   if (comma && std::memchr(start, ',', cell.size()) != nullptr) {
@@ -108,13 +137,13 @@ bool readHexadecimal(std::string_view cell, TextNumber& number) {
 }
 
 /// "1.5 sec", "12.3°".
-bool readNumberWithUnit(std::string_view cell, bool comma, TextNumber& number) {
+bool readNumberWithUnit(std::string_view cell, NumberMarks marks, TextNumber& number) {
   if (cell.size() > 40) return false;
   const size_t digit = cell.find_last_of("0123456789");
   const size_t begin = cell.find_first_not_of(' ', digit + 1);
   if (digit == std::string_view::npos || begin == std::string_view::npos) return false;
   const std::string_view unit = cell.substr(begin);
-  if (!readNumber(cell.substr(0, digit + 1), comma, false, number) || !isUnit(unit)) return false;
+  if (!readNumber(cell.substr(0, digit + 1), marks, false, number) || !isUnit(unit)) return false;
   number.unit = unit;
   return true;
 }
@@ -160,17 +189,35 @@ struct Trial {
   double score = 0.0;
 };
 
+/// Which mark the decimals have. One that stands only before groups of three digits, where the other one doesn't, parts
+/// thousands.
+void findMarks(const std::vector<std::string_view>& lines, TextLayout& layout) {
+  bool commas = false, commaDecimals = false, commaGroups = false, dotDecimals = false, dotGroups = false;
+  std::vector<std::string_view> cells;
+  TextNumber number;
+  for (const std::string_view line : lines) {
+    splitCells(line, layout, cells);
+    for (const std::string_view cell : cells) {
+      const bool comma = isDecimalComma(cell) && readNumber(cell, {true, false}, false, number);
+      const bool groupedByComma = hasGroups(cell, ','), groupedByDot = hasGroups(cell, '.');
+      commas = commas || comma;
+      commaGroups = commaGroups || groupedByComma;
+      dotGroups = dotGroups || groupedByDot;
+      commaDecimals = commaDecimals || (comma && !groupedByComma) || (groupedByDot && cell.find(',') < cell.size());
+      const bool dot = cell.find('.') < cell.size() && readNumber(cell, {false, false}, false, number);
+      dotDecimals = dotDecimals || (dot && !groupedByDot) || (groupedByComma && cell.find('.') < cell.size());
+    }
+  }
+  const bool byCommas = commaGroups && dotDecimals && !commaDecimals;
+  layout.decimalComma = (commas || (dotGroups && commaDecimals)) && !byCommas;
+  layout.grouped = byCommas || (dotGroups && commaDecimals && !dotDecimals);
+}
+
 /// How well the lines read in this layout, with the number of cells in which they read best.
 Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
   std::vector<std::string_view> cells;
   TextNumber number;
-  for (const std::string_view line : lines) {
-    if (layout.labelled) break;
-    splitCells(line, layout, cells);
-    layout.decimalComma = layout.decimalComma || std::any_of(cells.begin(), cells.end(), [&](std::string_view cell) {
-                            return isDecimalComma(cell) && readNumber(cell, true, false, number);
-                          });
-  }
+  if (!layout.labelled) findMarks(lines, layout);
   std::map<size_t, double> scores;
   for (const std::string_view line : lines) {
     splitCells(line, layout, cells);
@@ -206,7 +253,7 @@ TextLayout oneColumn(const std::vector<std::string_view>& lines) {
   TextNumber number;
   const auto numbers = [&] {
     return static_cast<size_t>(std::count_if(lines.begin(), lines.end(), [&](std::string_view line) {
-      return readNumber(withoutBlanks(line), layout.decimalComma, false, number);
+      return readNumber(withoutBlanks(line), marksOf(layout), false, number);
     }));
   };
   if (lines.size() < fewestLines) return layout;
@@ -300,12 +347,12 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
       if (cell.empty()) return TextCell::missing;
     }
   }
-  if (readNumber(cell, layout.decimalComma, layout.labelled, number)) return TextCell::number;
+  if (readNumber(cell, marksOf(layout), layout.labelled, number)) return TextCell::number;
   number = {missing, 0, 0.0, false};
   if (readHexadecimal(cell, number)) return TextCell::number;
   if (isAnyDigit(cell.front()) || cell.front() == '[') {
     const auto clock = readClock(cell);
-    if (!clock && readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;
+    if (!clock && readNumberWithUnit(cell, marksOf(layout), number)) return TextCell::number;
     if (!clock) {
       number = {missing, 0, 0.0, false};
       return TextCell::text;
@@ -315,7 +362,7 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
   }
   if (saysMissing(cell)) return TextCell::missing;
   if (cell.size() > 1 && (cell.front() == '-' || cell.front() == '+')) {
-    if (readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;
+    if (readNumberWithUnit(cell, marksOf(layout), number)) return TextCell::number;
     number = {missing, 0, 0.0, false};
   }
   const int truth = truthOf(cell);

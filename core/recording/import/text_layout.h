@@ -13,6 +13,7 @@ constexpr char runsOfBlanks = ' ';  ///< as a separator: any run of blanks and t
 struct TextLayout {
   char separator = ',';
   bool decimalComma = false;
+  bool grouped = false;       ///< the mark that decimals don't have parts thousands: "1.234,5"
   bool labelled = false;      ///< each cell tells its name: "angle:1.5"
   bool stamped = false;       ///< a terminal put the time before each line: "10:20:10.123 -> 1,2,3"
   size_t cells = 0;           ///< of a row, with the stamp

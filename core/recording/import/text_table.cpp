@@ -280,6 +280,9 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   rows.table.notes = std::move(notes.notes);
   if (const auto done = readRows(start.rest, lineEnd, layout, names, start.before, name, rows); !done)
     return done.error();
+  if (layout.grouped)
+    rows.table.remarks.push_back(layout.decimalComma ? message("dots part thousands: 1.234 is taken as 1234")
+                                                     : message("commas part thousands: 1,234 is taken as 1234"));
   rows.takeLabelColumns();
   rows.takeUnitColumns();
   RawTable table = std::move(rows.table);

@@ -1,0 +1,133 @@
+// Speeds and drives without a sign, beside a column that tells the direction.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
+#include "recording/import/settling.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr auto directionWords =
+    std::to_array<std::string_view>({"dir", "direction", "sign", "richtung", "drehrichtung", "dirección", "direccion",
+                                     "sentido", "direzione", "sens", "方向", "转向"});
+constexpr auto forwardTexts = std::to_array<std::string_view>(
+    {"fwd", "forward", "forwards", "f", "cw", "clockwise", "pos", "positive", "+", "up", "vor", "rechts"});
+constexpr auto backwardTexts = std::to_array<std::string_view>({"rev", "reverse", "r", "bwd", "backward", "backwards",
+                                                                "b", "ccw", "counterclockwise", "anticlockwise", "neg",
+                                                                "negative", "-", "down", "back", "zurück", "links"});
+
+std::string inSmallLetters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one | 0x20) : one; });
+  return text;
+}
+
+bool hasSign(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return value < 0.0; });
+}
+
+/// 1 and −1, or 1 and 0, as signs, with the last one where it stands still; empty when it is neither.
+std::vector<double> signsOf(const std::vector<double>& values) {
+  std::set<double> seen;
+  for (const double value : values) {
+    if (std::isfinite(value)) seen.insert(value);
+    if (seen.size() > 3) return {};
+  }
+  const bool both = seen.contains(1.0) && seen.contains(-1.0), only = seen == std::set<double>{0.0, 1.0};
+  if (!only && !(both && (seen.size() == 2 || seen.contains(0.0)))) return {};
+  std::vector<double> signs(values.size());
+  double last = 1.0;
+  for (size_t k = 0; k < values.size(); ++k) {
+    if (std::isfinite(values[k]) && (only || values[k] != 0.0)) last = values[k] > 0.0 ? 1.0 : -1.0;
+    signs[k] = last;
+  }
+  return signs;
+}
+
+}  // namespace
+
+bool Settling::tellsDirection(size_t c) const {
+  const ColumnFate& fate = fates_[c];
+  const bool open = fate.kind != ColumnFate::Kind::used && !choices_[c].byMap && !choices_[c].byTool;
+  const NameParts parts = partsOfName(fate.from, {});
+  return open && firstIn(parts.words, directionWords) != nullptr &&
+         std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+           return isIn(directionWords, word) || isIn(jointWords, word) || isIn(decorations, word);
+         });
+}
+
+std::vector<double> Settling::directionsAt(size_t c) {
+  const RawColumn& column = table_.columns[c];
+  if (column.texts.empty()) return column.fault || column.manyTexts ? std::vector<double>{} : signsOf(values(c));
+  std::vector<double> ofText;
+  for (const std::string& text : column.texts) {
+    const std::string word = inSmallLetters(text);
+    ofText.push_back(isIn(forwardTexts, word) ? 1.0 : isIn(backwardTexts, word) ? -1.0 : 0.0);
+  }
+  std::vector<double> told;
+  for (const size_t row : time_.rows) {
+    const size_t text = row < column.textOf.size() ? column.textOf[row] : 0;
+    told.push_back(text == 0 ? NAN : ofText[text - 1]);
+  }
+  return signsOf(told);
+}
+
+void Settling::signByDirection(std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto unsignedOne = columnOf(name);
+    if (!unsignedOne || choices_[*unsignedOne].byMap || hasSign(values(*unsignedOne))) continue;
+    for (size_t c = 0; c < fates_.size(); ++c) {
+      const std::string group = partsOfName(fates_[c].from, {}).group;
+      const std::string& own = choices_[*unsignedOne].name.group;
+      if (!tellsDirection(c) || (!group.empty() && !own.empty() && group != own)) continue;
+      std::vector<double> signs = directionsAt(c);
+      if (signs.empty() || !directionFits(*unsignedOne, signs)) continue;
+      for (size_t k = 0; k < signs.size(); ++k) values(*unsignedOne)[k] *= signs[k];
+      ColumnFate& fate = fates_[*unsignedOne];
+      fate.guessed = true;
+      fate.why = message("its sign is the direction that {} tells", fates_[c].from);
+      fate.doubt = fate.why;
+      break;
+    }
+  }
+}
+
+bool Settling::directionFits(size_t c, std::vector<double>& signs) {
+  const bool speed = fates_[c].to.starts_with("velocity");
+  std::vector<double> driven = values(c);
+  for (size_t k = 0; k < signs.size(); ++k) driven[k] *= signs[k];
+  const auto angle = columnOf(fates_[c].to == "velocity_m_per_s" ? "position_m" : "angle_rad");
+  constexpr double agrees = 0.9, against = -0.3;
+  double correlation = 0.0;
+  if (speed) {
+    if (!angle) return true;
+    const auto as = compareMotion(time_.time_s, values(*angle), values(c), time_.pauses);
+    const auto turned = compareMotion(time_.time_s, values(*angle), driven, time_.pauses);
+    if (as && as->correlation > agrees) return false;
+    correlation = turned ? turned->correlation : 0.0;
+  } else {
+    auto moved = columnOf("velocity_rad_per_s");
+    if (!moved) moved = columnOf("velocity_m_per_s");
+    if (!moved && !angle) return false;
+    const std::vector<double> motion = moved ? values(*moved) : changesOf(values(*angle));
+    double both = 0.0, drives = 0.0, motions = 0.0;
+    for (size_t k = 0; k < motion.size(); ++k) {
+      if (!std::isfinite(motion[k]) || !std::isfinite(driven[k])) continue;
+      both += driven[k] * motion[k];
+      drives += driven[k] * driven[k];
+      motions += motion[k] * motion[k];
+    }
+    correlation = drives > 0.0 && motions > 0.0 ? both / std::sqrt(drives * motions) : 0.0;
+  }
+  if (correlation < against) {
+    for (double& sign : signs) sign = -sign;
+  }
+  return true;
+}
+
+}  // namespace breakaway
