@@ -59,6 +59,8 @@ class TestImportByValues : public QObject {
   void headingThatTurnsWithItsDrive_isNoMotors();
   void voltageOfAnInputThatGoesBelowZero_isTheMotors();
   void jointAlone_isItsAngleWhereNothingElseMoves();
+  void referenceOfWhatMovesOtherwise_isKept();
+  void axisByAnUnknownWord_hasItsTorque();
 
  private:
   Result<Imported> logOf(const std::vector<NamedWave>& columns, int rows = 600) {
@@ -246,6 +248,33 @@ void TestImportByValues::jointAlone_isItsAngleWhereNothingElseMoves() {
   QCOMPARE(meaning(*beside, "knee"), std::string());
   const auto current = logOf({{"time_s", clockOf}, {"knee [A]", elsewhere}});
   QVERIFY(!current.ok());
+  const auto far = logOf({{"time_s", clockOf}, {"knee", [](int k) { return 30.0 * turnedBy(k); }}});
+  VERIFY_OK(far);
+  QCOMPARE(fateOf(*far, "knee").unit, std::string("deg"));
+}
+
+void TestImportByValues::referenceOfWhatMovesOtherwise_isKept() {
+  const auto rpm = [](int k) { return 9.5493 * speedOfMotion(k); };
+  const auto log = logOf({{"time_s", clockOf},
+                          {"theta", elsewhere},
+                          {"theta_dot", elsewhere},
+                          {"theta_ref", elsewhere},
+                          {"motor_rpm", rpm}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "theta"), std::string());
+  QCOMPARE(meaning(*log, "theta_ref"), std::string());
+  QCOMPARE(meaning(*log, "motor_rpm"), std::string("velocity_rad_per_s"));
+}
+
+void TestImportByValues::axisByAnUnknownWord_hasItsTorque() {
+  const auto log = logOf({{"time_s", clockOf},
+                          {"iiwa_joint_1_q", turnedBy},
+                          {"iiwa_joint_1_w", speedOfMotion},
+                          {"iiwa_joint_1_tau", torqueOfMotion},
+                          {"iiwa_joint_2_tau", elsewhere}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "iiwa_joint_1_tau"), std::string("torque_Nm"));
+  QCOMPARE(meaning(*log, "iiwa_joint_2_tau"), std::string());
 }
 
 QTEST_APPLESS_MAIN(TestImportByValues)

@@ -51,6 +51,10 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
   QTest::newRow("a torque by a current") << QStringList{"motor_angle", "motor_torque_from_current"}
                                          << "motor_torque_from_current"
                                          << "torque_Nm";
+  QTest::newRow("a force in N beside an angle") << QStringList{"angle_deg", "ActualForce_N"} << "ActualForce_N"
+                                                << "";
+  QTest::newRow("a force in N beside a place") << QStringList{"position_mm", "ActualForce_N"} << "ActualForce_N"
+                                               << "force_N";
   QTest::newRow("a force beside a torque") << QStringList{"motor_angle", "torque", "force"} << "force"
                                            << "";
   QTest::newRow("the logic's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "logic_supply_v"

@@ -20,6 +20,8 @@ class TestImportTurning : public QObject {
   void leapsWithinOneTurn_areCalledImplausible();
   void wholeSpeedAlone_isAskedAbout();
   void drehzahl_isInRpm();
+  void rps_areTurnsOrRadiansByTheAngle_data();
+  void rps_areTurnsOrRadiansByTheAngle();
 
  private:
   TemporaryFolder folder_;
@@ -101,6 +103,28 @@ void TestImportTurning::drehzahl_isInRpm() {
   VERIFY_OK(imported);
   QVERIFY(imported->columns[1].guessed);
   QVERIFY(std::abs(imported->recording.channel("velocity_rad_per_s")[0] - 100.0 * std::numbers::pi / 30.0) < 1e-9);
+}
+
+void TestImportTurning::rps_areTurnsOrRadiansByTheAngle_data() {
+  QTest::addColumn<double>("scale");
+  QTest::addColumn<bool>("angle");
+  QTest::newRow("turns") << 2.0 * std::numbers::pi << true;
+  QTest::newRow("radians") << 1.0 << true;
+  QTest::newRow("no angle") << 2.0 * std::numbers::pi << false;
+}
+
+void TestImportTurning::rps_areTurnsOrRadiansByTheAngle() {
+  QFETCH(double, scale);
+  QFETCH(bool, angle);
+  QString text = angle ? "time_s,vel_rps,pos_rad\n" : "time_s,vel_rps\n";
+  for (int k = 0; k < 100; ++k) {
+    text += QString("%1,%2").arg(0.01 * k).arg(30.0 * std::cos(0.1 * k) / scale);
+    text += angle ? QString(",%1\n").arg(3.0 * std::sin(0.1 * k)) : "\n";
+  }
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(std::abs(imported->recording.channel("velocity_rad_per_s")[0] - 30.0) < 1e-3);
+  QCOMPARE(imported->columns[1].guessed, !angle || scale == 1.0);
 }
 
 QTEST_APPLESS_MAIN(TestImportTurning)

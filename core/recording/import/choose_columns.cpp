@@ -73,6 +73,7 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
     if (choice.name.understood() && !choice.name.qualified && to.find("_reference") == std::string::npos)
       plain.insert(to.substr(0, to.find('_')));
   }
+  std::set<std::string> axes;
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& word = words[c];
     if (!names[c].understood() || behind[word].size() < 2) continue;
@@ -83,6 +84,13 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
     names[c].group += (names[c].group.empty() ? "" : ".") + word;
     ++names[c].rank;
     choices[c].name = names[c];
+    axes.insert(word);
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {  // what was understood in spite of the word is of that axis, too
+    if (!choices[c].name.qualified || names[c].understood() || choices[c].byMap || choices[c].byTool) continue;
+    const Words all = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
+    const std::string* axis = firstIn(all, axes);
+    if (axis != nullptr) choices[c].name.group += (choices[c].name.group.empty() ? "" : ".") + *axis;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -194,6 +195,7 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
 void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto joints = std::to_array<std::string_view>(
       {"joint", "joints", "wrist", "forearm", "elbow", "shoulder", "hip", "knee", "ankle", "waist"});
+  constexpr double farthest_rad = 4.0 * std::numbers::pi;  // no joint turns further
   for (const Choice& one : choices) {
     const std::string& to = one.name.to;
     if (to.starts_with("angle") || to.starts_with("position") || to.starts_with("velocity")) return;
@@ -209,7 +211,8 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
     const bool open = !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !column.fault;
     if (joint == nullptr || !alone || !angle || !open || !(rangeOf(column.channel.values) > 0.0)) continue;
     const bool reference = firstIn(parts.words, referenceWords) != nullptr;
-    choices[c].name = understandName(reference ? "angle_cmd" : "angle", parts.unitText);
+    const bool degrees = parts.unit == nullptr && rangeOf(column.channel.values) > farthest_rad;
+    choices[c].name = understandName(reference ? "angle_cmd" : "angle", degrees ? "deg" : parts.unitText);
     choices[c].name.group = *joint + parts.group;
     choices[c].name.guess = message("it is called by a joint alone, and nothing else tells a motion");
   }

@@ -52,7 +52,7 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
       }
       const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
                             wordsOf(table.columns[c].channel.name, true) == words;
-      if (measured && followed)
+      if (measured)
         setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
     }
   }

@@ -194,8 +194,27 @@ Result<void> Settling::takeSpeed() {
   if (fates_[*c].unit.empty() && is(*c, "velocity_rad_per_s")) {
     if (const auto known = nameSpeedUnit(*c, alone); !known) return known.error();
   }
+  if (fates_[*c].unit == "rps" && is(*c, "velocity_rad_per_s")) turnsOrRadians(*c);
   if (is(*c, "velocity_rad_per_s")) apply(*c);
   return {};
+}
+
+void Settling::turnsOrRadians(size_t c) {
+  const auto angle = columnOf("angle_rad");
+  const auto motion =
+      angle ? compareMotion(time_.time_s, values(*angle), values(c), time_.pauses) : std::optional<MotionFactor>{};
+  const auto agrees = [&](double scale) {
+    return motion && motion->correlation > 0.9 && std::abs(std::log(motion->factor / scale)) < std::log(1.15);
+  };
+  if (choices_[c].byMap || choices_[c].byTool || agrees(fates_[c].scale * gear(fates_[c].to))) return;
+  fates_[c].guessed = true;
+  fates_[c].why = message("\"rps\" are turns or radians per second; turns were taken");
+  if (agrees(gear(fates_[c].to))) {
+    fates_[c].scale = 1.0;
+    fates_[c].unit = "rad/s";
+    fates_[c].why = message("so it agrees with the angle");
+  }
+  fates_[c].doubt = fates_[c].why;
 }
 
 Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {

@@ -101,7 +101,8 @@ bool Settling::directionFits(size_t c, std::vector<double>& signs) {
   const bool speed = fates_[c].to.starts_with("velocity");
   std::vector<double> driven = values(c);
   for (size_t k = 0; k < signs.size(); ++k) driven[k] *= signs[k];
-  const auto angle = columnOf(fates_[c].to == "velocity_m_per_s" ? "position_m" : "angle_rad");
+  auto angle = columnOf("angle_rad");
+  if (!angle) angle = columnOf("position_m");
   constexpr double agrees = 0.9, against = -0.3;
   double correlation = 0.0;
   if (speed) {

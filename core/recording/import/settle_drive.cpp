@@ -70,8 +70,9 @@ Result<void> Settling::takeOther(size_t c) {
     keep(c, message("is a force beside an angle, and nothing tells of which arm"));
     return {};
   }
-  const bool turnsAlone = !columnOf("angle_rad") && !columnOf("position_m") && columnOf("velocity_rad_per_s");
-  if (to == "force_N" && fates_[c].unit.empty() && turnsAlone && !choices_[c].byMap) {
+  const bool turns = (columnOf("angle_rad") || columnOf("velocity_rad_per_s")) && !columnOf("position_m") &&
+                     !columnOf("velocity_m_per_s");
+  if (to == "force_N" && !unitless && turns && !choices_[c].byMap) {
     keep(c, message("is a force beside what turns, and nothing tells of which arm"));
     return {};
   }

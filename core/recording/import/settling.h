@@ -69,6 +69,8 @@ class Settling {
   /// A unit for a speed that nothing else tells.
   Result<void> nameSpeedUnit(size_t c, bool alone);
   void speedByAngle(size_t c, size_t angle);
+  /// "rps" are either, which only an angle tells.
+  void turnsOrRadians(size_t c);
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
