@@ -237,7 +237,8 @@ void TestImportByValues::voltageOfAnInputThatGoesBelowZero_isTheMotors() {
 
 void TestImportByValues::jointAlone_isItsAngleWhereNothingElseMoves() {
   const auto still = [](int) { return 0.5; };
-  const auto joints = logOf({{"time_s", clockOf}, {"elbow_cmd", elsewhere}, {"elbow_act", turnedBy}, {"wrist", still}});
+  const auto sooner = [](int k) { return turnedBy(k + 2); };
+  const auto joints = logOf({{"time_s", clockOf}, {"elbow_cmd", sooner}, {"elbow_act", turnedBy}, {"wrist", still}});
   VERIFY_OK(joints);
   QCOMPARE(meaning(*joints, "elbow_act"), std::string("angle_rad"));
   QCOMPARE(meaning(*joints, "elbow_cmd"), std::string("angle_reference_rad"));
@@ -255,11 +256,10 @@ void TestImportByValues::jointAlone_isItsAngleWhereNothingElseMoves() {
 
 void TestImportByValues::referenceOfWhatMovesOtherwise_isKept() {
   const auto rpm = [](int k) { return 9.5493 * speedOfMotion(k); };
-  const auto log = logOf({{"time_s", clockOf},
-                          {"theta", elsewhere},
-                          {"theta_dot", elsewhere},
-                          {"theta_ref", elsewhere},
-                          {"motor_rpm", rpm}});
+  const auto lean = [](int k) { return 0.05 * std::sin(0.31 * k); };
+  const auto leans = [](int k) { return 0.05 * 31.0 * std::cos(0.31 * k); };
+  const auto log =
+      logOf({{"time_s", clockOf}, {"theta", lean}, {"theta_dot", leans}, {"theta_ref", elsewhere}, {"motor_rpm", rpm}});
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "theta"), std::string());
   QCOMPARE(meaning(*log, "theta_ref"), std::string());

@@ -201,12 +201,13 @@ Result<void> Settling::takeSpeed() {
 
 void Settling::turnsOrRadians(size_t c) {
   const auto angle = columnOf("angle_rad");
-  const auto motion =
-      angle ? compareMotion(time_.time_s, values(*angle), values(c), time_.pauses) : std::optional<MotionFactor>{};
-  const auto agrees = [&](double scale) {
-    return motion && motion->correlation > 0.9 && std::abs(std::log(motion->factor / scale)) < std::log(1.15);
+  if (choices_[c].byMap || choices_[c].byTool) return;
+  const auto motion = angle ? motionOf(*angle, c) : std::nullopt;
+  const MotionFactor moves = motion.value_or(MotionFactor{0.0, 0.0});
+  const auto agrees = [&moves](double scale) {
+    return moves.correlation > 0.9 && std::abs(std::log(moves.factor / scale)) < std::log(1.15);
   };
-  if (choices_[c].byMap || choices_[c].byTool || agrees(fates_[c].scale * gear(fates_[c].to))) return;
+  if (agrees(fates_[c].scale * gear(fates_[c].to))) return;
   fates_[c].guessed = true;
   fates_[c].why = message("\"rps\" are turns or radians per second; turns were taken");
   if (agrees(gear(fates_[c].to))) {
