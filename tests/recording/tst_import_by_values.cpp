@@ -46,6 +46,7 @@ class TestImportByValues : public QObject {
   void driveWithoutAKnownName_isTakenWhereItMovesTheMotor_data();
   void driveWithoutAKnownName_isTakenWhereItMovesTheMotor();
   void motionThatRepeatsItself_saysNothingOfADrive();
+  void memberCalledByALetter_hasNoUnit();
   void setPoint_isWhatIsFollowed_data();
   void setPoint_isWhatIsFollowed();
   void referenceThatGoesNowhereNear_isKept();
@@ -114,6 +115,14 @@ void TestImportByValues::driveWithoutAKnownName_isTakenWhereItMovesTheMotor() {
   QVERIFY(fateOf(*log, name.toStdString()).guessed);
   QCOMPARE(log->recording.channel(to.toStdString())[100],
            std::stod(QString::number(torqueOfMotion(100), 'g', 9).toStdString()));
+}
+
+void TestImportByValues::memberCalledByALetter_hasNoUnit() {
+  const auto gained = [](int k) { return (speedOfMotion(k + 1) - speedOfMotion(k)) / stepOfMotion_s; };
+  const auto log = logOf({{"time", clockOf}, {"inertia.w", speedOfMotion}, {"inertia.a", gained}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "inertia.w"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "inertia.a"), std::string());
 }
 
 void TestImportByValues::motionThatRepeatsItself_saysNothingOfADrive() {
@@ -252,6 +261,11 @@ void TestImportByValues::jointAlone_isItsAngleWhereNothingElseMoves() {
   const auto far = logOf({{"time_s", clockOf}, {"knee", [](int k) { return 30.0 * turnedBy(k); }}});
   VERIFY_OK(far);
   QCOMPARE(fateOf(*far, "knee").unit, std::string("deg"));
+  const auto learnt =
+      logOf({{"time_s", clockOf}, {"observation.state.joint_00", turnedBy}, {"action.joint_00", sooner}});
+  VERIFY_OK(learnt);
+  QCOMPARE(meaning(*learnt, "observation.state.joint_00"), std::string("angle_rad"));
+  QCOMPARE(meaning(*learnt, "action.joint_00"), std::string("angle_reference_rad"));
 }
 
 void TestImportByValues::referenceOfWhatMovesOtherwise_isKept() {

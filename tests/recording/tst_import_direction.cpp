@@ -14,6 +14,7 @@ class TestImportDirection : public QObject {
  private slots:
   void speedWithoutASign_hasThatOfTheDirection_data();
   void speedWithoutASign_hasThatOfTheDirection();
+  void directionOfARamp_isNoTurn();
   void dutyWithoutASign_goesWithTheMotion_data();
   void dutyWithoutASign_goesWithTheMotion();
 
@@ -32,27 +33,34 @@ void TestImportDirection::speedWithoutASign_hasThatOfTheDirection_data() {
   QTest::addColumn<QString>("forward");
   QTest::addColumn<QString>("back");
   QTest::addColumn<bool>("told");
+  QTest::addColumn<bool>("guessed");
   QTest::newRow("1 and 0") << "dir"
                            << "1"
-                           << "0" << true;
+                           << "0" << true << true;
   QTest::newRow("1 and -1") << "direction"
                             << "1"
-                            << "-1" << true;
+                            << "-1" << true << true;
   QTest::newRow("words") << "Motor_Direction"
                          << "FWD"
-                         << "REV" << true;
+                         << "REV" << true << true;
   QTest::newRow("German words") << "Drehrichtung"
                                 << "rechts"
-                                << "links" << true;
+                                << "links" << true << true;
+  QTest::newRow("French words") << "sens"
+                                << "AVANT"
+                                << "ARRIERE" << true << true;
+  QTest::newRow("one way, and stops") << "direction"
+                                      << "FWD"
+                                      << "STOP" << false << false;
   QTest::newRow("a wind's direction") << "wind_direction"
                                       << "1"
-                                      << "0" << false;
+                                      << "0" << false << false;
   QTest::newRow("words that tell none") << "direction"
                                         << "north"
-                                        << "south" << false;
+                                        << "south" << false << true;
   QTest::newRow("an angle in degrees") << "direction_deg"
                                        << "90"
-                                       << "270" << false;
+                                       << "270" << false << false;
 }
 
 void TestImportDirection::speedWithoutASign_hasThatOfTheDirection() {
@@ -60,16 +68,28 @@ void TestImportDirection::speedWithoutASign_hasThatOfTheDirection() {
   QFETCH(QString, forward);
   QFETCH(QString, back);
   QFETCH(bool, told);
+  QFETCH(bool, guessed);
   QString text = "time_s,velocity_rad_per_s," + column + "\n";
   for (int k = 0; k < directionRows; ++k)
     text += QString("%1,%2,%3\n").arg(0.01 * k).arg(std::abs(speedAt(k))).arg(speedAt(k) >= 0.0 ? forward : back);
   const auto log = logs_.imported(text);
   VERIFY_OK(log);
-  QCOMPARE(log->columns[1].guessed, told);
+  QCOMPARE(log->columns[1].guessed, guessed);
   for (int k = 0; k < directionRows; ++k) {
     const double wanted = told ? speedAt(k) : std::abs(speedAt(k));
     QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[static_cast<size_t>(k)] - wanted) < 1e-3);
   }
+}
+
+/// Up and down again: the speed is highest where it changes.
+void TestImportDirection::directionOfARamp_isNoTurn() {
+  QString text = "time_s,velocity_rad_per_s,direction\n";
+  for (int k = 0; k < directionRows; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(k < 100 ? k : 200 - k).arg(k < 100 ? "up" : "down");
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QVERIFY(!log->columns[1].guessed);
+  QCOMPARE(log->recording.channel("velocity_rad_per_s")[150], 50.0);
 }
 
 void TestImportDirection::dutyWithoutASign_goesWithTheMotion_data() {

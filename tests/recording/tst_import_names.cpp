@@ -22,6 +22,7 @@ class TestImportNames : public QObject {
   void numberedNamesAboveTheRows_areTheColumns();
   void loggersTagBeforeLabels_isNoName();
   void commandedTorqueWithoutAUnit_isCalledSo();
+  void driveBehindAStrangeWord_isAGuess();
 
  private:
   ImportedLogs logs_;
@@ -357,6 +358,15 @@ void TestImportNames::commandedTorqueWithoutAUnit_isCalledSo() {
   const auto log = logs_.waves({"actual_q_0", "target_moment_0"});
   VERIFY_OK(log);
   QVERIFY(log->columns[2].inWords().english().find("what was commanded") != std::string::npos);
+}
+
+void TestImportNames::driveBehindAStrangeWord_isAGuess() {
+  const auto isGuess = [this](const QString& name) {
+    const auto log = logs_.waves({"angle_rad", name});
+    return log && log->columns[2].kind == ColumnFate::Kind::used && log->columns[2].guessed;
+  };
+  for (const char* name : {"quux_current_A", "quux_torque_Nm", "quux_voltage_V"}) QVERIFY2(isGuess(name), name);
+  for (const char* name : {"motor_current_A", "knee_torque_Nm", "iq_actual_A"}) QVERIFY2(!isGuess(name), name);
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -280,6 +280,8 @@ void TestImportShapes::marksOfThousands_areNoDecimals_data() {
   QTest::newRow("dots and a decimal comma") << rowsOf("t_s;speed_rad_s\n", "%1,5;-1.234.567,5\n") << -1234567.5;
   QTest::newRow("commas, beside decimal points") << rowsOf("t_s,speed_rad_s\n", "%1.5,\"1,234\"\n") << 1234.0;
   QTest::newRow("commas and a decimal point") << rowsOf("t_s,speed_rad_s\n", "%1.5,\"1,234.5\"\n") << 1234.5;
+  QTest::newRow("apostrophes") << rowsOf("t_s;speed_rad_s\n", "%1.5;-1'234'567.5\n") << -1234567.5;
+  QTest::newRow("narrow blanks") << rowsOf("t_s;speed_rad_s\n", "%1,5;1\u202f234,5\n") << 1234.5;
   QTest::newRow("decimal commas of three digits") << rowsOf("t_s;speed_rad_s\n", "%1,250;1,234\n") << 1.234;
   QTest::newRow("decimal points of three digits") << rowsOf("t_s;speed_rad_s\n", "%1.250;1.234\n") << 1.234;
   QTest::newRow("both marks for decimals") << rowsOf("t_s;speed_rad_s;x\n", "%1,5;1.234;0.5\n") << 1.234;

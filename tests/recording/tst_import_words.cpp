@@ -23,6 +23,8 @@ void TestImportWords::names_areUnderstood_data() {
   };
   constexpr double degree = std::numbers::pi / 180.0;
   row("time_s", "time_s");
+  row("theta_unwrapped", "angle_rad");
+  row("unsaturated_current_A", "");
   row("t_offset_s", "time_s");
   row("time_offset_ms", "time_s", 1e-3);
   row("position_offset_s", "");

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/marked_text.h"
+#include "recording/import/joined_words.h"
 #include "recording/import/name_by_unit.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/name_words.h"
@@ -28,7 +29,8 @@ struct NameReading {
   FoundName found = {};
   UnitKind kind = UnitKind::time;
   bool reference = false;
-  int unknownBefore = 0;  ///< words that aren't known before the quantity's
+  int unknownBefore = 0;     ///< words that aren't known before the quantity's
+  std::string strange = {};  ///< the last of them that is known in no sense
 
   const std::string& word() const { return parts.words[found.at]; }
   bool has(std::string_view one) const { return isIn(parts.words, one); }
@@ -239,6 +241,7 @@ std::optional<ColumnName> readAround(NameReading& name) {
       return unknown;
     } else if (k < found.at && !isIn(decorations, word)) {
       ++name.unknownBefore;
+      if (word.size() > 2 && !isKnownWord(word)) name.strange = word;
     }
     if (name.turns() && k == found.at + 1 && isSingleLetter(word, "abxyz")) {  // "encoderA"
       parts.group += (parts.group.empty() ? "" : ".") + word;
@@ -308,6 +311,8 @@ ColumnName taken(NameReading& name) {
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;
+  const bool drives = name.inWinding() || name.kind == UnitKind::torque || name.kind == UnitKind::force;
+  if (drives && !name.strange.empty()) understood.guess = message("what \"{}\" says of it is unknown", name.strange);
   const bool letter = name.found.word->weak && name.word().size() == 1 && parts.unit == nullptr;
   if (letter && (name.inWinding() || name.kind == UnitKind::force))
     understood.guess = message("a letter alone says little");

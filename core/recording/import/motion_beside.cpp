@@ -195,6 +195,7 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
 void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto joints = std::to_array<std::string_view>(
       {"joint", "joints", "wrist", "forearm", "elbow", "shoulder", "hip", "knee", "ankle", "waist"});
+  static constexpr auto learners = std::to_array<std::string_view>({"observation", "action"});
   constexpr double farthest_rad = 4.0 * std::numbers::pi;  // no joint turns further
   for (const Choice& one : choices) {
     const std::string& to = one.name.to;
@@ -205,12 +206,12 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
     const NameParts parts = partsOfName(column.channel.name, column.unit);
     const std::string* joint = firstIn(parts.words, joints);
     const bool alone = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
-      return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word);
+      return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word) || isIn(learners, word);
     });
     const bool angle = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::angle;
     const bool open = !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !column.fault;
     if (joint == nullptr || !alone || !angle || !open || !(rangeOf(column.channel.values) > 0.0)) continue;
-    const bool reference = firstIn(parts.words, referenceWords) != nullptr;
+    const bool reference = firstIn(parts.words, referenceWords) != nullptr || isIn(parts.words, "action");
     const bool degrees = parts.unit == nullptr && rangeOf(column.channel.values) > farthest_rad;
     choices[c].name = understandName(reference ? "angle_cmd" : "angle", degrees ? "deg" : parts.unitText);
     choices[c].name.group = *joint + parts.group;

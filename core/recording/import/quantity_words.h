@@ -51,25 +51,25 @@ inline constexpr auto decorations = std::to_array<std::string_view>(
      "actuelle", "gemessen",   "gemessene", "aktuell",    "实际",        "測定",      "实测",     "反馈",
      "revolute", "prismatic",  "telemetry", "pll",        "observer",    "observed",  "obs",      "hat",
      "kf",       "ekf",        "kalman",    "smo",        "sensorless",  "fdb",       "fbk",      "fdk",
-     "used",     "applied",    "j",         "ave",        "mean",        "wirk"});
+     "used",     "wrapped",    "unwrapped", "applied",    "j",           "ave",       "mean",     "wirk"});
 /// Before a reference they tell who follows it.
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
 /// Wherever they stand, the column is something else.
 inline constexpr auto otherThings = std::to_array<std::string_view>(
-    {"error",        "err",        "limit",      "lim",          "max",          "min",        "peak",
-     "integral",     "integrator", "std",        "rms",          "gain",         "offset",     "threshold",
-     "mode",         "fault",      "derivative", "ripple",       "tolerance",    "delta",      "diff",
-     "difference",   "deviation",  "fehler",     "gyro",         "gyroadc",      "gyroscope",  "accelerometer",
-     "magnetometer", "imu",        "accel",      "acceleration", "acc",          "mag",        "gps",
-     "vehicle",      "variance",   "covariance", "correction",   "compensation", "power",      "energy",
-     "ratio",        "sum",        "abs",        "dt",           "delay",        "duration",   "regelabweichung",
-     "bandwidth",    "sin",        "cos",        "tan",          "predicted",    "prediction", "predict",
-     "simulated",    "sim",        "modeled",    "modelled",     "ideal",        "expected",   "theoretical",
-     "wind",         "pred",       "nominal",    "prev",         "previous",     "old",        "initial",
-     "init",         "final",      "home",       "bias",         "noise",        "fan",        "pump",
-     "injector",     "heater",     "led",        "kmh",          "kph",          "kmph",       "mph",
-     "watt",         "wh",         "ah"});
+    {"error",        "err",         "limit",      "lim",          "max",          "min",        "peak",
+     "integral",     "integrator",  "std",        "rms",          "gain",         "offset",     "threshold",
+     "mode",         "fault",       "derivative", "ripple",       "tolerance",    "delta",      "diff",
+     "difference",   "deviation",   "fehler",     "gyro",         "gyroadc",      "gyroscope",  "accelerometer",
+     "magnetometer", "imu",         "accel",      "acceleration", "acc",          "mag",        "gps",
+     "vehicle",      "variance",    "covariance", "correction",   "compensation", "power",      "energy",
+     "ratio",        "sum",         "abs",        "dt",           "delay",        "duration",   "regelabweichung",
+     "bandwidth",    "sin",         "cos",        "tan",          "predicted",    "prediction", "predict",
+     "simulated",    "sim",         "modeled",    "modelled",     "ideal",        "expected",   "theoretical",
+     "wind",         "unsaturated", "unsat",      "unclamped",    "unlimited",    "pred",       "nominal",
+     "prev",         "previous",    "old",        "initial",      "init",         "final",      "home",
+     "bias",         "noise",       "fan",        "pump",         "injector",     "heater",     "led",
+     "kmh",          "kph",         "kmph",       "mph",          "watt",         "wh",         "ah"});
 /// Of these a vehicle or a hand turns about one; of a joint they are the name.
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw", "tilt", "lean"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(

@@ -160,7 +160,8 @@ void Settling::takeDrivesByValues() {
     for (size_t c = 0; c < fates_.size(); ++c) {
       if (!isUnknown(c)) continue;
       const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
-      if (parts.unit == nullptr || parts.unit->kind != kind || isMultiplied(fates_[c].from)) continue;
+      const bool member = parts.unitText.size() == 1 && fates_[c].from.ends_with("." + parts.unitText);  // "inertia.a"
+      if (parts.unit == nullptr || parts.unit->kind != kind || member || isMultiplied(fates_[c].from)) continue;
       const auto isOf = [&parts](const auto& words) { return firstIn(parts.words, words) != nullptr; };
       const bool another = isOf(otherThings) || isOf(loadWords) || isOf(supplyWords) || isOf(referenceWords) ||
                            isOf(drivenWords) || !notTheMotors(kind, parts.words, false).empty();

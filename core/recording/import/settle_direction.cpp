@@ -16,15 +16,58 @@ constexpr auto directionWords =
     std::to_array<std::string_view>({"dir", "direction", "sign", "richtung", "drehrichtung", "dirección", "direccion",
                                      "sentido", "direzione", "sens", "方向", "转向"});
 constexpr auto forwardTexts = std::to_array<std::string_view>(
-    {"fwd", "forward", "forwards", "f", "cw", "clockwise", "pos", "positive", "+", "up", "vor", "rechts"});
-constexpr auto backwardTexts = std::to_array<std::string_view>({"rev", "reverse", "r", "bwd", "backward", "backwards",
-                                                                "b", "ccw", "counterclockwise", "anticlockwise", "neg",
-                                                                "negative", "-", "down", "back", "zurück", "links"});
+    {"fwd",      "forward", "forwards", "f",       "cw",       "clockwise", "pos",    "positive", "+",    "up", "vor",
+     "vorwärts", "rechts",  "avant",    "horaire", "adelante", "horario",   "avanti", "orario",   "正转", "正"});
+constexpr auto backwardTexts = std::to_array<std::string_view>({"rev",
+                                                                "reverse",
+                                                                "r",
+                                                                "bwd",
+                                                                "backward",
+                                                                "backwards",
+                                                                "b",
+                                                                "ccw",
+                                                                "counterclockwise",
+                                                                "anticlockwise",
+                                                                "neg",
+                                                                "negative",
+                                                                "-",
+                                                                "down",
+                                                                "back",
+                                                                "counter-clockwise",
+                                                                "anti-clockwise",
+                                                                "zurück",
+                                                                "rückwärts",
+                                                                "links",
+                                                                "arrière",
+                                                                "arriere",
+                                                                "antihoraire",
+                                                                "atrás",
+                                                                "atras",
+                                                                "antihorario",
+                                                                "indietro",
+                                                                "antiorario",
+                                                                "反转",
+                                                                "反"});
 
 std::string inSmallLetters(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one | 0x20) : one; });
   return text;
+}
+
+/// 1 forward, −1 backward, 0 neither.
+double signNamed(const std::string& text) {
+  const std::string word = inSmallLetters(text);
+  return isIn(forwardTexts, word) ? 1.0 : isIn(backwardTexts, word) ? -1.0 : 0.0;
+}
+
+/// Two texts of which none is known.
+bool tellsUnknownWays(const RawColumn& column) {
+  static constexpr auto rests = std::to_array<std::string_view>(
+      {"stop", "stopped", "idle", "brake", "braking", "none", "off", "hold", "halt", "coast"});
+  return column.texts.size() == 2 && std::none_of(column.texts.begin(), column.texts.end(), [](const std::string& one) {
+           return signNamed(one) != 0.0 || isIn(rests, inSmallLetters(one));
+         });
 }
 
 bool hasSign(const std::vector<double>& values) {
@@ -49,6 +92,19 @@ std::vector<double> signsOf(const std::vector<double>& values) {
   return signs;
 }
 
+/// What turns round stands for a moment; at the top of a ramp ("up", "down") it doesn't.
+bool turnsAtRest(const std::vector<double>& speed, const std::vector<double>& signs) {
+  constexpr double slow = 0.3, most = 0.8;
+  const double fastest = largest(speed);
+  double turns = 0.0, atRest = 0.0;
+  for (size_t k = 1; k < signs.size(); ++k) {
+    if (signs[k] == signs[k - 1]) continue;
+    turns += 1.0;
+    atRest += std::min(speed[k - 1], speed[k]) <= slow * fastest ? 1.0 : 0.0;
+  }
+  return atRest >= most * turns;
+}
+
 }  // namespace
 
 bool Settling::tellsDirection(size_t c) const {
@@ -64,15 +120,11 @@ bool Settling::tellsDirection(size_t c) const {
 std::vector<double> Settling::directionsAt(size_t c) {
   const RawColumn& column = table_.columns[c];
   if (column.texts.empty()) return column.fault || column.manyTexts ? std::vector<double>{} : signsOf(values(c));
-  std::vector<double> ofText;
-  for (const std::string& text : column.texts) {
-    const std::string word = inSmallLetters(text);
-    ofText.push_back(isIn(forwardTexts, word) ? 1.0 : isIn(backwardTexts, word) ? -1.0 : 0.0);
-  }
   std::vector<double> told;
   for (const size_t row : time_.rows) {
     const size_t text = row < column.textOf.size() ? column.textOf[row] : 0;
-    told.push_back(text == 0 ? NAN : ofText[text - 1]);
+    const double sign = text == 0 ? 0.0 : signNamed(column.texts[text - 1]);
+    told.push_back(sign == 0.0 ? NAN : sign);
   }
   return signsOf(told);
 }
@@ -86,11 +138,13 @@ void Settling::signByDirection(std::initializer_list<const char*> names) {
       const std::string& own = choices_[*unsignedOne].name.group;
       if (!tellsDirection(c) || (!group.empty() && !own.empty() && group != own)) continue;
       std::vector<double> signs = directionsAt(c);
-      if (signs.empty() || !directionFits(*unsignedOne, signs)) continue;
+      const bool fits = !signs.empty() && directionFits(*unsignedOne, signs);
+      if (!fits && (!signs.empty() || !tellsUnknownWays(table_.columns[c]))) continue;
       for (size_t k = 0; k < signs.size(); ++k) values(*unsignedOne)[k] *= signs[k];
       ColumnFate& fate = fates_[*unsignedOne];
       fate.guessed = true;
-      fate.why = message("its sign is the direction that {} tells", fates_[c].from);
+      fate.why = fits ? message("its sign is the direction that {} tells", fates_[c].from)
+                      : message("it is never negative, and which way {} says isn't understood", fates_[c].from);
       fate.doubt = fate.why;
       break;
     }
@@ -106,7 +160,7 @@ bool Settling::directionFits(size_t c, std::vector<double>& signs) {
   constexpr double agrees = 0.9, against = -0.3;
   double correlation = 0.0;
   if (speed) {
-    if (!angle) return true;
+    if (!angle) return turnsAtRest(values(c), signs);
     const auto as = compareMotion(time_.time_s, values(*angle), values(c), time_.pauses);
     const auto turned = compareMotion(time_.time_s, values(*angle), driven, time_.pauses);
     if (as && as->correlation > agrees) return false;

@@ -87,6 +87,27 @@ void keepAllDigits(const char* start, const char* end, TextNumber& number) {
   number.rest = whole < 0 ? -rest : rest;
 }
 
+/// "1'234.5", "1 234,5" with a blank that doesn't break: marks that part nothing but thousands, taken out; empty where
+/// there are none.
+std::string withoutThousands(std::string_view cell) {
+  constexpr size_t longest = 40;
+  static constexpr auto marks = std::to_array<std::string_view>({"'", "\u2019", "\u00a0", "\u202f", "\u2009"});
+  std::string bare(cell.substr(0, longest + 1));
+  if (bare.size() > longest) return {};
+  bool any = false;
+  for (const std::string_view mark : marks) {
+    for (size_t at = bare.find(mark); at != std::string::npos; at = bare.find(mark, at)) {
+      const size_t behind = at + mark.size();
+      size_t digits = 0;
+      while (behind + digits < bare.size() && isAnyDigit(bare[behind + digits])) ++digits;
+      if (at == 0 || !isAnyDigit(bare[at - 1]) || digits != 3) return {};
+      bare.erase(at, mark.size());
+      any = true;
+    }
+  }
+  return any ? bare : std::string();
+}
+
 /// How the numbers of a text are written.
 struct NumberMarks {
   bool decimalComma = false, grouped = false;
@@ -348,6 +369,9 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
     }
   }
   if (readNumber(cell, marksOf(layout), layout.labelled, number)) return TextCell::number;
+  if (const std::string bare = withoutThousands(cell);
+      !bare.empty() && readNumber(bare, marksOf(layout), false, number))
+    return TextCell::number;
   number = {missing, 0, 0.0, false};
   if (readHexadecimal(cell, number)) return TextCell::number;
   if (isAnyDigit(cell.front()) || cell.front() == '[') {
