@@ -119,7 +119,8 @@ void TestImportByValues::driveWithoutAKnownName_isTakenWhereItMovesTheMotor() {
 
 void TestImportByValues::memberCalledByALetter_hasNoUnit() {
   const auto gained = [](int k) { return (speedOfMotion(k + 1) - speedOfMotion(k)) / stepOfMotion_s; };
-  const auto log = logOf({{"time", clockOf}, {"inertia.w", speedOfMotion}, {"inertia.a", gained}});
+  const auto log =
+      logOf({{"time", clockOf}, {"inertia.phi", turnedBy}, {"inertia.w", speedOfMotion}, {"inertia.a", gained}});
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "inertia.w"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*log, "inertia.a"), std::string());

@@ -75,6 +75,7 @@ void TestImportDirection::speedWithoutASign_hasThatOfTheDirection() {
   const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(log->columns[1].guessed, guessed);
+  QCOMPARE(log->columns[1].inWords().english().find(column.toStdString()) != std::string::npos, guessed);
   for (int k = 0; k < directionRows; ++k) {
     const double wanted = told ? speedAt(k) : std::abs(speedAt(k));
     QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[static_cast<size_t>(k)] - wanted) < 1e-3);

@@ -216,7 +216,7 @@ Message ColumnFate::inWords() const {
   if (kind == Kind::leftOut) return message("{}: left out, {}", from, why);
   if (kind == Kind::kept) return message("{}: kept unused, {}", from, why);
   Message text(from == to ? from : from + " → " + to);
-  if (from != to || scale != 1.0) {
+  if (from != to || scale != 1.0 || guessed) {
     text =
         text + (unit.empty() ? message(", taken as SI, a guess: the name tells no unit") : message(", from {}", unit));
     if (scale != 1.0) text = text + (" (× " + shortText(scale) + ")");
