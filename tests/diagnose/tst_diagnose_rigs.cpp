@@ -111,7 +111,7 @@ void TestDiagnoseRigs::voltageBesideTheCurrent_tellsSensorFromLoad() {
     (ofSensor ? wanted.currentOffset_A : wanted.asymmetry) = ofSensor ? offset_A : 0.4;
     const auto rig = recordRig(wanted);
     const Diagnosis diagnosis = diagnosedAlone(rig.bench, rig.recording);
-    if (sanitized) continue;
+    if (sanitized) return;
     QCOMPARE(diagnosis.findings.size(), size_t(1));
     const Finding& finding = diagnosis.findings.front();
     QCOMPARE(finding.effect, std::string(ofSensor ? "current_sensor_offset" : "constant_load"));
@@ -140,7 +140,7 @@ void TestDiagnoseRigs::severalPushes_areOneFinding_data() {
   QTest::addColumn<double>("first_Nm");
   QTest::addColumn<double>("second_Nm");
   QTest::newRow("a third of the friction") << 0.004 << -0.003;
-  QTest::newRow("two thirds of it") << 0.008 << -0.006;
+  if (!sanitized) QTest::newRow("two thirds of it") << 0.008 << -0.006;
 }
 
 void TestDiagnoseRigs::severalPushes_areOneFinding() {
@@ -182,7 +182,7 @@ void TestDiagnoseRigs::pushBesideImbalance_hidesNeither() {
 void TestDiagnoseRigs::stopsAtBothEnds_areOneFinding_data() {
   QTest::addColumn<double>("stiffness_Nm_per_rad");
   QTest::newRow("firm") << 0.6;
-  QTest::newRow("soft") << 0.08;
+  if (!sanitized) QTest::newRow("soft") << 0.08;
 }
 
 void TestDiagnoseRigs::stopsAtBothEnds_areOneFinding() {
