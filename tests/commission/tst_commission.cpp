@@ -191,6 +191,7 @@ void TestCommission::randomRigs_areMappedWithinFivePercent() {
 }
 
 void TestCommission::gainErrorOfTheSensor_isCarriedByAllTorques() {
+  if (test::sanitized) QSKIP("takes too long under sanitizers: jobs like others");
   test::TemporaryFolder folder;
   auto text = readFile(qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/presets/servo.rig.json");
   QVERIFY(text.ok());
@@ -206,6 +207,7 @@ void TestCommission::gainErrorOfTheSensor_isCarriedByAllTorques() {
 }
 
 void TestCommission::sameSeed_givesTheSameMap() {
+  if (test::sanitized) QSKIP("takes too long under sanitizers: jobs like others");
   const auto a = commissioned(servoUri, 5, false, 36), b = commissioned(servoUri, 5, false, 36),
              c = commissioned(servoUri, 6, false, 36);
   QVERIFY(a.ok() && b.ok() && c.ok());
