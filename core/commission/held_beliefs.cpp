@@ -36,8 +36,28 @@ class Held {
 
   void bench(BeliefOf of, const char* field, const std::optional<double>& believed, const Estimate& measured,
              const Message& from) {
-    if (believed)
-      hold({of, message("the bench's"), field, *believed, options_.bench->trusted.contains(field), measured, from});
+    if (!believed) return;
+    const Belief belief{
+        of, message("the bench's"), field, *believed, options_.bench->trusted.contains(field), measured, from};
+    hold(belief);
+    if (of == BeliefOf::backEmfConstant || of == BeliefOf::torqueConstant) constants_.push_back(ratioOf(belief));
+  }
+  /// A back-EMF constant is measured per angle that the encoder shows: where all that the bench says of the motor's
+  /// constant contradicts alike, and nothing else does, the counts may be wrong as well, and only a whole turn tells.
+  void orCounts() {
+    constexpr double most = 6.0;  // beyond, it is a unit
+    constexpr double alike = 1.2;
+    if (constants_.empty() || found_.size() != constants_.size()) return;
+    const auto [least, highest] = std::minmax_element(constants_.begin(), constants_.end());
+    const double counts = known_.identity.countsPerRev, ratio = std::sqrt(*least * *highest);
+    if (!(*least > 1.0 / most) || !(*highest < most) || !(*highest < alike * *least) || !(counts > 0.0)) return;
+    found_.back() = found_.back() +
+                    (known_.linear() ? message("; or, if the bench is right there, a metre has about {:.3g} counts, "
+                                               "not {:.4g}: move the axis by a known way and look",
+                                               ratio * counts, counts)
+                                     : message("; or, if the bench is right there, a turn has about {:.3g} counts, "
+                                               "not {:.0f}: turn the shaft once round by hand and look",
+                                               ratio * counts, counts));
   }
   /// What an interrupted job knew of the motor, against what is measured now.
   void earlier(BeliefOf of, const char* field, double before, const Estimate& now) {
@@ -91,6 +111,7 @@ class Held {
   const CommissionOptions& options_;
   Commission& known_;
   std::vector<Message> found_;
+  std::vector<double> constants_;  ///< believed over measured, of all that the bench says of the motor's constant
 };
 
 }  // namespace
@@ -123,6 +144,7 @@ Result<void> holdWiring(const CommissionOptions& options, Commission& known) {
   held.bench(BeliefOf::backEmfConstant, names.backEmfConstant, belief.backEmfConstant, fit.backEmf_V_s_per_rad, pulses);
   held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, fit.backEmf_V_s_per_rad,
              message("but by the wiring check's pulses the back-EMF constant is"));
+  held.orCounts();
   return held.conclude();
 }
 
@@ -153,6 +175,7 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
              motor.backEmfConstant_V_s_per_rad, measured);
   held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, motor.backEmfConstant_V_s_per_rad,
              message("but measured as the back-EMF constant is"));
+  held.orCounts();
   // An inertia by a constant that contradicts tells nothing.
   const double scale = motor.backEmfConstant_V_s_per_rad.value / motor.torqueConstant_Nm_per_A.value;
   if (held.none())

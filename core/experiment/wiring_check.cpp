@@ -26,6 +26,8 @@ constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
 constexpr double surelyBraked_s = 5.0;
 constexpr double windowCounts = 3.0;  // that a turning shaft passes at least, while it is watched
 constexpr double usual_s = 6.0;       // that it takes
+constexpr double ownPlay = 4.0;       // times own_rad, beyond which what moves by itself is pulled
+constexpr double longestSwing_s = 5.0;
 
 double perMean(double noise_A, size_t samples) {
   return noise_A / std::sqrt(static_cast<double>(std::max<size_t>(1, samples)));
@@ -53,6 +55,8 @@ Command WiringCheck::run(const Sample& sample) {
       return kick(sample);
     case Stage::brake:
       return brake(sample);
+    case Stage::swing:
+      return swing(sample);
   }
   return {};
 }
@@ -70,6 +74,7 @@ void WiringCheck::begin(Stage stage, const Sample& sample) {
   brakeStart_rad_ = sample.angle_rad;
   furthest_rad_ = 0.0;
   turnedRound_ = false;
+  swing_.begin();
 }
 
 /// Seen over more of the turn than an index is wide, and in most ticks.
@@ -120,8 +125,8 @@ bool WiringCheck::gainsSpeed(const Sample& sample) {
 Command WiringCheck::rest(const Sample& sample) {
   supplySum_V_ += sample.supply_V;
   ++supplyCount_;
-  if (const double by_rad = sample.angle_rad - anchor_rad_; std::abs(by_rad) > options_.own_rad) {
-    fail(heavyLoadText(by_rad > 0.0, options_.axis));
+  if (std::abs(sample.angle_rad - anchor_rad_) > options_.own_rad) {
+    begin(Stage::swing, sample);
     return {};
   }
   if (sample.time_s - stageStart_s_ < options_.rest_s) return {};
@@ -316,8 +321,29 @@ Command WiringCheck::brake(const Sample& sample) {
     begin(Stage::rest, sample);
     return {};
   }
-  if (!slows(sample)) fail(heavyLoadText(sample.velocity_rad_per_s > 0.0, options_.axis));
+  if (!slows(sample)) {
+    begin(Stage::swing, sample);
+    return {};
+  }
   return {Command::Mode::voltage, brakeVoltage(sample), 0.0, false};
+}
+
+/// What moves though nothing drives it, the windings open: a load pulls it ever further, what hangs behind play swings
+/// to and fro between the gap's ends, and the rest comes to rest.
+Command WiringCheck::swing(const Sample& sample) {
+  swing_.take(sample);
+  const double by_rad = sample.angle_rad - windowStart_rad_, gone_s = sample.time_s - stageStart_s_;
+  if (const Message play = swing_.words(); !play.empty()) {
+    fail(play);
+  } else if (std::abs(by_rad) > ownPlay * options_.own_rad || gone_s > longestSwing_s) {
+    fail(heavyLoadText(by_rad > 0.0, options_.axis));
+  }
+  if (std::abs(sample.angle_rad - anchor_rad_) > 1.5 * options_.count_rad) {
+    anchor_rad_ = sample.angle_rad;
+    anchor_s_ = sample.time_s;
+  }
+  if (sample.time_s - anchor_s_ > stands_s) begin(Stage::rest, sample);
+  return {};
 }
 
 /// Without a count. What still creeps would pass for motion in the next pulse.

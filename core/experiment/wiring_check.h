@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/estimate.h"
+#include "experiment/free_swing.h"
 #include "experiment/timed_procedure.h"
 
 namespace breakaway {
@@ -37,8 +38,8 @@ struct WiringCheckOptions {
 /// loose each way; then kicks, which end as soon as the shaft has moved far enough. Whatever moved is braked by the
 /// shorted winding. Where nothing moves, it begins again with longer pulses: a heavy rotor needs time. Fails in words
 /// where the evidence is beyond doubt: motion or current against the voltage, a current that falls as if the shaft
-/// turned while the encoder stands, no current, no motion, a load heavier than friction, an index that is seen
-/// everywhere. What the pulses can't tell they leave open.
+/// turned while the encoder stands, no current, no motion, a load heavier than friction, play through which the encoder
+/// swings to and fro, an index that is seen everywhere. What the pulses can't tell they leave open.
 class WiringCheck : public TimedProcedure {
  public:
   /// Of a kick, from its first tick on.
@@ -56,7 +57,7 @@ class WiringCheck : public TimedProcedure {
     double voltage_V = 0.0, current_A = 0.0, error_A = 0.0;
   };
 
-  explicit WiringCheck(const WiringCheckOptions& options = {}) : options_(options) {}
+  explicit WiringCheck(const WiringCheckOptions& options = {}) : options_(options), swing_(options.axis) {}
 
   /// The highest that each way stood at, by way.
   const std::array<std::optional<Level>, 2>& standing() const { return standing_; }
@@ -85,13 +86,14 @@ class WiringCheck : public TimedProcedure {
   static constexpr size_t kicksEachWay = 2;    ///< the second one of twice the voltage where no current was seen
   static constexpr size_t fewestSamples = 10;  ///< of a mean
 
-  enum class Stage { coast, rest, pulse, kick, brake };
+  enum class Stage { coast, rest, pulse, kick, brake, swing };
   size_t side() const { return way_ > 0.0 ? 1 : 0; }
   Command coast(const Sample& sample);
   Command rest(const Sample& sample);
   Command pulse(const Sample& sample);
   Command kick(const Sample& sample);
   Command brake(const Sample& sample);
+  Command swing(const Sample& sample);
   bool gainsSpeed(const Sample& sample);
   bool slows(const Sample& sample);
   double kickVoltage(double supply_V) const;
@@ -124,6 +126,7 @@ class WiringCheck : public TimedProcedure {
   std::array<size_t, 2> kicked_{};
   std::vector<Kick> kicks_;
   double stageStart_s_ = 0.0, anchor_rad_ = 0.0, anchor_s_ = 0.0, last_s_ = 0.0;
+  FreeSwing swing_;                    ///< of what moves on once the motor has let go
   std::optional<double> energised_s_;  ///< when the winding was first seen to be driven in this stage
   double supplySum_V_ = 0.0, mostSupply_V_ = 0.0;
   size_t supplyCount_ = 0;

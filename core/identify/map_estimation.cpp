@@ -1,10 +1,10 @@
 #include "identify/map_estimation.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"
+#include "identify/breakaway_trend.h"
 #include "identify/map_filling.h"
 
 namespace breakaway {
@@ -12,7 +12,6 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastEvents = 8;
-constexpr size_t highestTrend = 30;  // order of the curve that the breakaways are interpolated around
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -64,63 +63,23 @@ std::vector<double> interpolated(const std::vector<std::pair<double, double>>& p
   return values;
 }
 
-/// The curve that the breakaways of all turns follow, by harmonics. Straight lines between breakaways would cut off
-/// what fine cogging does between them, so they are drawn between what is left over this curve.
-class Trend {
- public:
-  explicit Trend(const std::vector<BreakawayEvent>& events, Way way) {
-    std::vector<const BreakawayEvent*> same;
-    for (const BreakawayEvent& event : events) {
-      if (event.way == way) same.push_back(&event);
-    }
-    const auto orders = static_cast<Eigen::Index>(std::min<size_t>(highestTrend, same.size() / 8));
-    const Eigen::Index n = 2 * orders + 1;
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(n, n) * 1e-9;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-    for (const BreakawayEvent* event : same) {
-      const Eigen::VectorXd row = rowAt(event->angle_rad, n);
-      normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
-      right += event->torque_Nm * row;
-    }
-    x_ = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
-  }
-  double at(double angle_rad) const { return rowAt(angle_rad, x_.size()).dot(x_); }
-  double slopeAt(double angle_rad) const {
-    const Eigen::VectorXd row = rowAt(angle_rad, x_.size());
-    double slope = 0.0;
-    for (Eigen::Index k = 1; 2 * k < x_.size(); ++k)
-      slope += static_cast<double>(k) * (row[2 * k - 1] * x_[2 * k] - row[2 * k] * x_[2 * k - 1]);
-    return slope;
-  }
-
- private:
-  static Eigen::VectorXd rowAt(double angle_rad, Eigen::Index n) {
-    Eigen::VectorXd row(n);
-    row[0] = 1.0;
-    for (Eigen::Index k = 1; 2 * k < n; ++k) {
-      row[2 * k - 1] = std::cos(static_cast<double>(k) * angle_rad);
-      row[2 * k] = std::sin(static_cast<double>(k) * angle_rad);
-    }
-    return row;
-  }
-  Eigen::VectorXd x_;
-};
-
+/// Straight lines between breakaways would cut off what fine cogging does between them, so they are drawn between what
+/// is left over the curve that the breakaways of all turns follow.
 std::vector<std::vector<double>> turnsOf(const std::vector<BreakawayEvent>& events, Way way,
-                                         const MapOptions& options) {
-  const Trend trend(events, way);
+                                         const BreakawayTrend& trend, const MapOptions& options) {
   std::vector<std::vector<double>> turns;
   for (size_t turn = 0; turn < options.turns; ++turn) {
     std::vector<std::pair<double, double>> points;
     for (const BreakawayEvent& event : events) {
       if (event.way == way && event.turn == turn)
-        points.emplace_back(event.angle_rad, event.torque_Nm - trend.at(event.angle_rad));
+        points.emplace_back(event.angle_rad, event.torque_Nm - trend.torqueAt_Nm(event.angle_rad));
     }
     if (points.size() < leastEvents) continue;
     std::sort(points.begin(), points.end());
     turns.push_back(interpolated(points, options.bins));
     for (size_t k = 0; k < options.bins; ++k)
-      turns.back()[k] += trend.at((static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins));
+      turns.back()[k] +=
+          trend.torqueAt_Nm((static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins));
   }
   return turns;
 }
@@ -167,7 +126,8 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
   }
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
-    map.turnStatic_Nm[w] = turnsOf(events, way, options);
+    const BreakawayTrend trend(events, way);
+    map.turnStatic_Nm[w] = turnsOf(events, way, trend, options);
     if (map.turnStatic_Nm[w].empty()) {
       return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "cw" : "ccw"),
                    message("has fewer than 8 breakaways in each turn")};
@@ -176,10 +136,10 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
       return static_cast<size_t>(event.angle_rad / turn_rad * static_cast<double>(map.bins.size()));
     };
     fillStatic(map, way, events, binOf, commonError(measured, way, options));
-    const Trend trend(events, way);
     for (MapBin& bin : map.bins) {
       double& error = bin.way[w].static_Nm.standardError;
-      error = std::hypot(error, options.angleError_rad * trend.slopeAt(bin.angle_rad));
+      error = std::hypot(error, options.angleError_rad * trend.slopeAt_Nm_per_rad(bin.angle_rad),
+                         trend.errorAt_Nm(bin.angle_rad));
     }
   }
   if (moving != nullptr) fillMoving(map, *moving);

@@ -32,10 +32,10 @@ std::vector<BreakawayEvent> calibrated(std::vector<BreakawayEvent> events, const
 
 /// All bins of both ways, filled. Static: per turn interpolated between breakaways at the angles really reached, around
 /// the harmonics that all of them follow; mean over turns; the standard error from the scatter between turns, pooled
-/// over the bins around, and from what all turns share: the zero, the calibration, the lag, the angle. It holds no
-/// error of the torque constant or the sensor's gain, which scale the whole map. With moving friction (indexed by Way,
-/// options.bins long) also Coulomb, viscous and total; else these stay zero. Errors: a way with fewer than 8
-/// breakaways.
+/// over the bins around, from what the harmonics leave open where no breakaway was measured, and from what all turns
+/// share: the zero, the calibration, the lag, the angle. It holds no error of the torque constant or the sensor's gain,
+/// which scale the whole map. With moving friction (indexed by Way, options.bins long) also Coulomb, viscous and total;
+/// else these stay zero. Errors: a way with fewer than 8 breakaways.
 Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& events, const std::array<MovingFriction, 2>* moving,
                                 const MapOptions& options);
 

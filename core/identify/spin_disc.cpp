@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace breakaway {
 
@@ -22,6 +23,7 @@ constexpr double slowestSpin = 0.25;  // of the highest speed
 constexpr double surelySpun = 20.0;   // gain in χ²
 constexpr double mostSpinOff_rad = 0.3;
 constexpr int spinRounds = 3;
+constexpr double surelyAgainst = 20.0;  // loss in χ² of the voltage's balance
 
 /// Mean of values at a block's end over the two blocks around it, as a rate.
 template <typename Value>
@@ -108,6 +110,43 @@ EncoderDisc fitOnce(const Balance& balance) {
   return {Complex(x[1], x[2]) / x[0], parts / (x[0] * x[0])};
 }
 
+/// Squares of what the windings' voltage leaves of the speeds, ω = (v − R·i − L·di/dt − V₀·sgn ω)/Ke, all of them free,
+/// over the blocks that turn with their voltage; and their number.
+std::pair<double, size_t> leftByVoltage(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc,
+                                        double slowest_rad_per_s) {
+  constexpr int columns = 5;
+  using Row = Eigen::Matrix<double, columns, 1>;
+  Eigen::Matrix<double, columns, columns> normal = Eigen::Matrix<double, columns, columns>::Zero();
+  Row right = Row::Zero();
+  std::vector<std::pair<Row, double>> rows;
+  for (size_t k = 1; k + 1 < blocks.size(); ++k) {
+    const SpinBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
+    const double shown = (here.angle_rad - before.angle_rad) / here.duration_s;
+    if (std::abs(shown) < slowest_rad_per_s || shown * here.voltage_V <= 0.0) continue;
+    const double speed = (disc.angleOf(here.angle_rad) - disc.angleOf(before.angle_rad)) / here.duration_s;
+    Row row;
+    row << here.voltage_V, here.current_A, after.current_A - before.current_A, std::copysign(1.0, shown), 1.0;
+    normal += row * row.transpose();
+    right += speed * row;
+    rows.emplace_back(row, speed);
+  }
+  const Row x = normal.completeOrthogonalDecomposition().solve(right);
+  double squares = 0.0;
+  for (const auto& [row, speed] : rows) squares += std::pow(speed - x.dot(row), 2);
+  return {squares, rows.size()};
+}
+
+/// Whether the voltage, on which neither friction nor torque act, says that the rotor doesn't swing so.
+bool refutedByVoltage(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc) {
+  double highest = 0.0;
+  for (size_t k = 1; k < blocks.size(); ++k)
+    highest = std::max(highest, std::abs(blocks[k].angle_rad - blocks[k - 1].angle_rad) / blocks[k].duration_s);
+  const auto [with, count] = leftByVoltage(blocks, disc, slowestSpin * highest);
+  if (count < leastSpinRows) return false;
+  const double without = leftByVoltage(blocks, {}, slowestSpin * highest).first;
+  return with - without > surelyAgainst * without / static_cast<double>(count);
+}
+
 }  // namespace
 
 EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks) {
@@ -118,7 +157,7 @@ EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks) {
     if (!(std::norm(found.off_rad) > surelySpun * found.variance_rad2) || size > mostSpinOff_rad) return {};
     disc = found;
   }
-  return disc;
+  return refutedByVoltage(blocks, disc) ? EncoderDisc{} : disc;
 }
 
 std::vector<SpinBlock> freedOf(const EncoderDisc& disc, std::vector<SpinBlock> blocks) {

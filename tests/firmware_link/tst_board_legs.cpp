@@ -25,6 +25,8 @@ class TestBoardLegs : public QObject {
   void startSaidTwice_isOne();
   void planThatIsNoNumber_isRefused();
   void powerOfTwo_isExactEnoughForARamp();
+  void rotorThatSlipsOverTheIndex_isHomed_data();
+  void rotorThatSlipsOverTheIndex_isHomed();
 };
 
 namespace {
@@ -216,6 +218,37 @@ void TestBoardLegs::powerOfTwo_isExactEnoughForARamp() {
     QVERIFY(std::abs(powerOfTwo(x) / std::exp2(x) - 1.0) < 4.4e-6);
   }
   QCOMPARE(powerOfTwo(1e9), std::exp2(30.0));
+}
+
+void TestBoardLegs::rotorThatSlipsOverTheIndex_isHomed_data() {
+  QTest::addColumn<double>("coasts_s");
+  QTest::newRow("from rest") << 0.0;
+  QTest::newRow("while it still coasts over an index or two") << 0.5;
+}
+
+/// It stands for 0.3 s, then slips by a third of a turn at nine times the speed of the search, over the index each
+/// time: only what coasts from before the search is too fast to count.
+void TestBoardLegs::rotorThatSlipsOverTheIndex_isHomed() {
+  QFETCH(double, coasts_s);
+  constexpr double tick_s = 1e-3, turn = 6.283185307179586, counts = 64.0, fast = 140.0, index_rad = 1.5 * turn / 3.0;
+  HomingLeg<double> leg;
+  leg.begin({14.7, 4.9, 1.0, 0.2, 2.2, 60.0, 3.0, 2}, {static_cast<std::int32_t>(counts)});
+  double angle = 0.0, verified_s = 0.0, slipEnd = 0.0;
+  LegPhase phase = notBegun;
+  for (std::uint32_t k = 0; k < 60'000 && !legHasEnded(phase); ++k) {
+    const double time_s = k * tick_s, in_s = time_s - 0.3 * std::floor(time_s / 0.3), before = angle;
+    const double way = leg.ask().target < 0.0 ? -1.0 : 1.0;
+    if (in_s < 0.5 * tick_s) slipEnd = angle + way * turn / 3.0;
+    const bool slow = phase == HomingLeg<double>::backOff || phase == HomingLeg<double>::approach;
+    const bool slips = time_s < coasts_s || (!slow && way * (slipEnd - angle) > 0.0);
+    const double speed = slips ? way * fast : slow ? leg.ask().target : 0.0;
+    angle += speed * tick_s;
+    const bool index = std::floor((angle - index_rad) / turn) != std::floor((before - index_rad) / turn);
+    phase = leg.step({k * 1000, static_cast<std::int32_t>(std::floor(angle / turn * counts)), index, speed, 24.0});
+    if (phase == HomingLeg<double>::verify && verified_s == 0.0) verified_s = time_s;
+  }
+  QCOMPARE(int(phase), int(HomingLeg<double>::done));
+  QVERIFY2(verified_s >= coasts_s, qPrintable(QString::number(verified_s)));
 }
 
 QTEST_APPLESS_MAIN(TestBoardLegs)

@@ -14,6 +14,7 @@ class TestMapEstimation : public QObject {
  private slots:
   void everyBin_isFilledAndNearTheTruth();
   void missingBreakaways_areInterpolated();
+  void stretchWithoutBreakaways_isBridgedAndInDoubt();
   void standardError_matchesTheScatter();
   void intervalsHoldTheTruth_data();
   void intervalsHoldTheTruth();
@@ -92,6 +93,30 @@ void TestMapEstimation::missingBreakaways_areInterpolated() {
   QVERIFY(map.ok());
   QCOMPARE(map->bins[10].way[1].samples, size_t{0});
   QVERIFY(rmsError(*map, 1.0) < 0.002);
+}
+
+/// A twentieth to a sixth of the turn where no rotor could be held: the harmonics of least squares swung down to zero
+/// in it, and said that they knew.
+void TestMapEstimation::stretchWithoutBreakaways_isBridgedAndInDoubt() {
+  for (const size_t wide : {4u, 7u, 15u}) {
+    size_t within = 0, bins = 0;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      auto all = events(0.02, 0.0, 1.0, seed);
+      std::erase_if(all, [&](const BreakawayEvent& event) { return event.bin >= 30 && event.bin < 30 + wide; });
+      const auto map = estimateMap(all, nullptr, options());
+      QVERIFY(map.ok());
+      QVERIFY2(rmsError(*map, 1.0) < 0.03, qPrintable(QString::number(rmsError(*map, 1.0))));
+      for (size_t bin = 30; bin < 30 + wide; ++bin) {
+        const Estimate& one = map->bins[bin].way[1].static_Nm;
+        within += std::abs(one.value - truth(map->bins[bin].angle_rad)) < normal95 * one.standardError ? 1 : 0;
+        ++bins;
+      }
+      if (wide == 15)
+        QVERIFY(map->bins[37].way[1].static_Nm.standardError > map->bins[70].way[1].static_Nm.standardError);
+    }
+    const double share = static_cast<double>(within) / static_cast<double>(bins);
+    QVERIFY2(share > 0.85, qPrintable(QString("%1 bins: %2").arg(wide).arg(share)));
+  }
 }
 
 void TestMapEstimation::standardError_matchesTheScatter() {

@@ -100,8 +100,10 @@ class HomingLeg {
     const std::int32_t since = aheadOf(seen.count, from_);
     switch (phase_) {
       case search:
-        // Coasting from what ran before it, a rotor passes degrees within a tick.
-        if (exceeds(seen.velocity_rad_per_s, coasting_)) {
+        // Coasting from what ran before it, a rotor passes degrees within a tick; once it has slowed down, one that is
+        // as fast slips from where it stuck, and may do so over the index in every turn.
+        coasts_ = coasts_ && exceeds(seen.velocity_rad_per_s, coasting_);
+        if (coasts_) {
           from_ = seen.count;
         } else if (seen.index && aheadOf(seen.count, before) >= 0) {
           enter(verify, seen);
@@ -146,7 +148,7 @@ class HomingLeg {
   std::uint32_t timeout_us_ = 0, stall_us_ = 0, begun_us_ = 0, moved_us_ = 0;
   std::int32_t from_ = 0, moved_ = 0, before_ = 0, edge_ = 0;
   std::uint8_t passes_ = 0;
-  bool known_ = false;
+  bool known_ = false, coasts_ = true;
 };
 
 }  // namespace breakaway
