@@ -31,13 +31,21 @@ std::vector<double> speedParts(std::span<const double> own, size_t speeds, doubl
   return parts;
 }
 
+namespace {
+
+double torqueScaleError(const Commission& known) {
+  const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
+  return Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
+}
+
+}  // namespace
+
 VelocityFrictionOptions frictionOptions(const Commission& known) {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
   options.inertia_kg_m2 = known.motor.inertia_kg_m2.value;
   options.inertiaError_kg_m2 = known.motor.inertia_kg_m2.standardError;
-  const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
-  options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
+  options.scaleError = torqueScaleError(known);
   options.noiseRms_A = known.noiseRms_A;
   options.tick_s =
       known.identity.can.everyTick && known.identity.loopRate_Hz > 0.0 ? 1.0 / known.identity.loopRate_Hz : 0.0;
@@ -73,6 +81,7 @@ MapOptions mapOptions(const Commission& known, const std::string& rig) {
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
   options.noiseRms_A = known.noiseRms_A;
   options.zeroError_A = known.eventsZeroError_A;
+  options.scaleError = torqueScaleError(known);
   // A position loop leaves the rotor at the same place of its count turn after turn.
   const double counts = known.identity.countsPerRev;
   const double count_rad = counts > 0.0 ? turn_rad / counts : 0.0;

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace breakaway {
 
@@ -268,20 +269,48 @@ BridgeLine lineOf(const BridgeTests& tests) {
   }
 }
 
+double highestStanding(const BridgeTests& tests) {
+  double highest_V = 0.0;
+  for (const WindingPoint& point : tests.standing) highest_V = std::max(highest_V, std::abs(point.voltage_V));
+  return highest_V;
+}
+
+std::pair<Fit, std::vector<double>> fittedFrom(const BridgeLine& line, const BridgeTests& tests, double standing_V) {
+  std::vector<double> knots_V{0.0};
+  for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
+  Fit fit = fitted(line, knots_V, 0.98 * standing_V);
+  return {std::move(fit), std::move(knots_V)};
+}
+
+/// Ke is the speed's slope over that of the voltage far out.
+Estimate backEmfOf(const Fit& fit, size_t knots) {
+  const auto slopes = static_cast<Eigen::Index>(knots);
+  const double far = farSlope(fit, knots), Ke = fit.x[slopes] / far;
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.x.size());
+  gradient.head(slopes).setConstant(-Ke / far);
+  gradient[slopes] = 1.0 / far;
+  return estimateOf(Ke, gradient, fit);
+}
+
 }  // namespace
+
+std::optional<Estimate> backEmfOfAnyCurve(const BridgeTests& tests) {
+  if (rowsOf(tests, 1).size() < leastBridgeRows) return {};
+  const auto [fit, knots_V] = fittedFrom(lineOf(tests), tests, highestStanding(tests));
+  if (!(farSlope(fit, knots_V.size()) > 0.0)) return {};
+  return backEmfOf(fit, knots_V.size());
+}
 
 Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const char* place = "bridge's curve";
   const std::vector<BridgeRow> rows = rowsOf(tests, 1);
   if (rows.size() < leastBridgeRows)
     return Error{place, message("has {} blocks only, expected at least 200", rows.size())};
-  double highest_V = 0.0, standing_V = 0.0;
+  const double standing_V = highestStanding(tests);
+  double highest_V = 0.0;
   for (const BridgeRow& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
-  for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
   const BridgeLine line = lineOf(tests);
-  std::vector<double> knots_V{0.0};
-  for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
-  const Fit fit = fitted(line, knots_V, 0.98 * standing_V);
+  auto [fit, knots_V] = fittedFrom(line, tests, standing_V);
   const double reach_V = knots_V.front() + (lastKnot_duty + reach_duty) * tests.supply_V;
   if (highest_V < reach_V) {
     return Error{
@@ -304,10 +333,8 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const bool bent = bends(fit, knots_V) && mostLost(curve) >= leastLost_duty;
   const double doubt = bent ? bentDoubt : curveDoubt;
   found.resistance_ohm = {1.0 / far, std::hypot(conductance.standardError / far, doubt) / far};
-  const double Ke = fit.x[slopes] / far;
-  gradient *= -Ke / far;
-  gradient[slopes] = 1.0 / far;
-  found.backEmfConstant_V_s_per_rad = estimateOf(Ke, gradient, fit);
+  found.backEmfConstant_V_s_per_rad = backEmfOf(fit, knots_V.size());
+  const double Ke = found.backEmfConstant_V_s_per_rad.value;
   found.backEmfConstant_V_s_per_rad.standardError =
       std::hypot(found.backEmfConstant_V_s_per_rad.standardError, doubt * Ke);
   found.deadZone_V = {knots_V.front(), line.errorOfFirst(knots_V, 5e-4 * tests.supply_V)};

@@ -1,6 +1,7 @@
 // The bridge's duty curve together with resistance and back-EMF constant, from all that the windings saw.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,5 +40,9 @@ struct BridgeFit {
 /// blocks; voltages that don't reach far enough beyond the last knot; resistance and back-EMF constant that the blocks
 /// don't tell apart; a curve that doesn't rise.
 Result<BridgeFit> fitBridge(const BridgeTests& tests);
+
+/// The back-EMF constant of the same fit, whatever curve the bridge has: where that curve, or the resistance, can't be
+/// told, by so much more a constant is in doubt that takes the bridge as straight. None with too few blocks.
+std::optional<Estimate> backEmfOfAnyCurve(const BridgeTests& tests);
 
 }  // namespace breakaway

@@ -135,7 +135,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
     const auto binOf = [&map](const BreakawayEvent& event) {
       return static_cast<size_t>(event.angle_rad / turn_rad * static_cast<double>(map.bins.size()));
     };
-    fillStatic(map, way, events, binOf, commonError(measured, way, options));
+    fillStatic(map, way, events, binOf, commonError(measured, way, options), options.scaleError);
     for (MapBin& bin : map.bins) {
       double& error = bin.way[w].static_Nm.standardError;
       error = std::hypot(error, options.angleError_rad * trend.slopeAt_Nm_per_rad(bin.angle_rad),

@@ -80,7 +80,7 @@ double commonError(const std::vector<BreakawayEvent>& events, Way way, const Map
 }
 
 void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& events,
-                const std::function<size_t(const BreakawayEvent&)>& binOf, double commonError_Nm) {
+                const std::function<size_t(const BreakawayEvent&)>& binOf, double commonError_Nm, double scaleError) {
   const auto w = static_cast<size_t>(way);
   const auto& turns = map.turnStatic_Nm[w];
   map.repeatability[w] = repeatabilityOf(turns);
@@ -93,7 +93,7 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
     WayBin& bin = map.bins[k].way[w];
     const double scatter = scatterOf(turns, k, reach);
     const double own = std::max(finest, scatter / std::sqrt(static_cast<double>(turns.size())));
-    bin.static_Nm = {means[k], std::hypot(own, commonError_Nm)};
+    bin.static_Nm = {means[k], std::hypot(own, commonError_Nm, scaleError * means[k])};
     for (const auto& turn : turns)
       bin.outlier = bin.outlier || std::abs(turn[k] - bin.static_Nm.value) > outlierScatters * scatter;
   }

@@ -16,10 +16,11 @@ namespace breakaway {
 double commonError(const std::vector<BreakawayEvent>& events, Way way, const MapOptions& options);
 
 /// From map.turnStatic_Nm of the way: each bin's mean over turns with its standard error (the scatter between turns,
-/// pooled over the bins around, or the mean's finest noise, whichever is larger, and the common error), repeatability,
-/// outliers, and how many breakaways a bin rests on.
+/// pooled over the bins around, or the mean's finest noise, whichever is larger, the common error, and `scaleError` of
+/// the mean), repeatability, outliers, and how many breakaways a bin rests on.
 void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& events,
-                const std::function<size_t(const BreakawayEvent&)>& binOf, double commonError_Nm);
+                const std::function<size_t(const BreakawayEvent&)>& binOf, double commonError_Nm,
+                double scaleError = 0.0);
 
 /// Coulomb, viscous and total of each bin, and both averages.
 void fillMoving(FrictionMap& map, const std::array<MovingFriction, 2>& moving);

@@ -194,6 +194,13 @@ void takeBridge(IdentifiedMotor& motor, const BridgeFit& bridge, const Estimate&
   }
 }
 
+double widenByBridge(IdentifiedMotor& motor, const Estimate& any) {
+  Estimate& Ke = motor.backEmfConstant_V_s_per_rad;
+  Ke.standardError = std::hypot(Ke.standardError, any.standardError, any.value - Ke.value);
+  if (!motor.torqueConstantTrusted) motor.torqueConstant_Nm_per_A = Ke;
+  return Ke.standardError / Ke.value;
+}
+
 namespace {
 
 double relative(const Estimate& one) {

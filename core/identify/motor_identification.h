@@ -64,6 +64,10 @@ double joinInertia(IdentifiedMotor& motor, const Estimate& reversal);
 /// inductance by `timeConstant_s`, and torques where the torque constant is tied to the back-EMF constant.
 void takeBridge(IdentifiedMotor& motor, const BridgeFit& bridge, const Estimate& timeConstant_s);
 
+/// Widens the back-EMF constant's interval, and that of a torque constant tied to it, by what a bridge that bends its
+/// duty may have done to it: `any` is the constant whatever the bridge's curve. Returns the relative standard error.
+double widenByBridge(IdentifiedMotor& motor, const Estimate& any);
+
 /// Puts the scale of the current on the motor, whose values must be as the sensor shows its current: the gain from a
 /// trusted or an added inertia, or one with the interval given. An added inertia that doesn't stand out by five
 /// standard errors measures nothing, and `gauge` says so. Values and intervals then are those of true amperes, and

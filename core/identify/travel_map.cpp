@@ -58,7 +58,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
     const auto binOf = [&bins](const BreakawayEvent& event) {
       return static_cast<size_t>(std::max(0.0, (event.angle_rad - bins.from_m) / bins.width_m()));
     };
-    fillStatic(map, way, events, binOf, commonError(measured, way, options));
+    fillStatic(map, way, events, binOf, commonError(measured, way, options), options.scaleError);
   }
   fillMoving(map, moving);
   return map;

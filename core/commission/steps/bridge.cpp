@@ -1,11 +1,14 @@
 // Winding and bridge of a rotor once more, from all tests together; and the bridge's curve, where it has one, to the
 // board.
+#include "base/numbers.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 
 namespace breakaway {
 
 namespace {
+
+constexpr double worthSaying = 0.01;  // relative standard error
 
 class Bridge : public Step {
  public:
@@ -48,6 +51,21 @@ void takeBridge(const MotorTests& tests, IdentifiedMotor& motor, Commission& kno
   } else {
     known.remark(message("{}; resistance and back-EMF constant rest on a straight line beyond the dead zone.",
                          bridge.error().said()));
+    const auto any = backEmfOfAnyCurve(tests.bridge);
+    if (!any) return;
+    const double doubt = widenByBridge(motor, *any);
+    if (doubt < worthSaying) return;
+    known.remark(
+        motor.torqueConstantTrusted
+            ? message("How a bridge bends its duty leaves the back-EMF constant open by ±{:.2g} %.",
+                      100.0 * normal95 * doubt)
+        : known.linear()
+            ? message("How a bridge bends its duty leaves the back-EMF constant, and with it all forces, open "
+                      "by ±{:.2g} %; a force constant that is trusted would not.",
+                      100.0 * normal95 * doubt)
+            : message("How a bridge bends its duty leaves the back-EMF constant, and with it all torques, open "
+                      "by ±{:.2g} %; a torque constant that is trusted would not.",
+                      100.0 * normal95 * doubt));
   }
 }
 
