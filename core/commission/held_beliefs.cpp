@@ -47,17 +47,25 @@ class Held {
   void orCounts() {
     constexpr double most = 6.0;  // beyond, it is a unit
     constexpr double alike = 1.2;
-    if (constants_.empty() || found_.size() != constants_.size()) return;
+    constexpr double edges[] = {4.0, 2.0, 0.5, 0.25};  // of the suggestions, which name the encoder themselves
+    const double counts = known_.identity.countsPerRev;
+    if (constants_.empty() || found_.size() != constants_.size() || !(counts > 0.0)) return;
     const auto [least, highest] = std::minmax_element(constants_.begin(), constants_.end());
-    const double counts = known_.identity.countsPerRev, ratio = std::sqrt(*least * *highest);
-    if (!(*least > 1.0 / most) || !(*highest < most) || !(*highest < alike * *least) || !(counts > 0.0)) return;
-    found_.back() = found_.back() +
-                    (known_.linear() ? message("; or, if the bench is right there, a metre has about {:.3g} counts, "
-                                               "not {:.4g}: move the axis by a known way and look",
-                                               ratio * counts, counts)
-                                     : message("; or, if the bench is right there, a turn has about {:.3g} counts, "
-                                               "not {:.0f}: turn the shaft once round by hand and look",
-                                               ratio * counts, counts));
+    if (!(*least > 1.0 / most) || !(*highest < most) || !(*highest < alike * *least)) return;
+    const double ratio = std::sqrt(*least * *highest);
+    if (std::any_of(std::begin(edges), std::end(edges),
+                    [&](double one) { return std::abs(std::log(ratio / one)) < nearMistake; }))
+      return;
+    const Message otherwise =
+        known_.linear() ? message(
+                              "; or, if the bench is right there, a metre has about {:.3g} counts, not {:.4g}: "
+                              "move the axis by a known way and look",
+                              ratio * counts, counts)
+                        : message(
+                              "; or, if the bench is right there, a turn has about {:.0f} counts, not {:.0f}: "
+                              "turn the shaft once round by hand and look",
+                              ratio * counts, counts);
+    found_.back() = found_.back() + otherwise;
   }
   /// What an interrupted job knew of the motor, against what is measured now.
   void earlier(BeliefOf of, const char* field, double before, const Estimate& now) {

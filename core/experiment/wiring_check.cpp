@@ -26,7 +26,7 @@ constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
 constexpr double surelyBraked_s = 5.0;
 constexpr double windowCounts = 3.0;  // that a turning shaft passes at least, while it is watched
 constexpr double usual_s = 6.0;       // that it takes
-constexpr double ownPlay = 4.0;       // times own_rad, beyond which what moves by itself is pulled
+constexpr double ownPlay = 2.5;       // times own_rad, beyond which what moves by itself is pulled
 constexpr double longestSwing_s = 5.0;
 
 double perMean(double noise_A, size_t samples) {

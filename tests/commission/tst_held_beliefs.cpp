@@ -21,6 +21,8 @@ class TestHeldBeliefs : public QObject {
   void fieldOffByAFactor_isFoundOrHarmless_data();
   void fieldOffByAFactor_isFoundOrHarmless();
   void declarations_areHeldBeforeAnythingMoves();
+  void constantThatContradicts_mayBeTheCounts_data();
+  void constantThatContradicts_mayBeTheCounts();
   void contradiction_isGoneOnWithAndStaysInTheFiles();
   void trustThatWasMeasuredAnew_isWithdrawn();
   void mapThatDoesntRepeat_isNone();
@@ -104,6 +106,38 @@ void TestHeldBeliefs::declarations_areHeldBeforeAnythingMoves() {
   QVERIFY2(words.find("counts_per_rev is 3600, but the board says 14400") != std::string::npos &&
                words.find("supply_V is 48, but the board says 24") != std::string::npos,
            words.c_str());
+}
+
+void TestHeldBeliefs::constantThatContradicts_mayBeTheCounts_data() {
+  QTest::addColumn<double>("measuredPart");
+  QTest::addColumn<double>("resistancePart");
+  QTest::addColumn<QString>("words");
+  const QString counts = "a turn has about %1 counts, not 14400";
+  QTest::newRow("counts x1.5") << 1.0 / 1.5 << 1.0 << counts.arg(21600);
+  QTest::newRow("counts x1.6, near a phase for two leads") << 1.0 / 1.6 << 1.0 << counts.arg(23040);
+  QTest::newRow("counts x4, which the suggestion names") << 0.25 << 1.0 << "four edges";
+  QTest::newRow("resistance, too: another motor") << 1.0 / 1.5 << 0.1 << "";
+  QTest::newRow("a unit") << 1e-3 << 1.0 << "";
+}
+
+void TestHeldBeliefs::constantThatContradicts_mayBeTheCounts() {
+  QFETCH(double, measuredPart);
+  QFETCH(double, resistancePart);
+  QFETCH(QString, words);
+  CommissionOptions options;
+  options.bench = bench("servo");
+  Commission known;
+  known.identity.countsPerRev = 14400.0;
+  known.identity.supply_V = 24.0;
+  known.wiring = WiringFit{};
+  known.wiring->supply_V = 24.0;
+  known.wiring->resistance_ohm = {resistancePart * R, 0.01 * R};
+  known.wiring->backEmf_V_s_per_rad = {measuredPart * Ke, 0.001 * Ke * measuredPart};
+  const auto held = holdWiring(options, known);
+  QVERIFY(!held);
+  const QString said = QString::fromStdString(held.error().message());
+  QVERIFY2(said.contains("times as much") && said.contains(words), qPrintable(said));
+  QCOMPARE(said.contains("a turn has about"), words.startsWith("a turn has"));
 }
 
 void TestHeldBeliefs::contradiction_isGoneOnWithAndStaysInTheFiles() {

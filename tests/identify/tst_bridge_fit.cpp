@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "identify/motor_identification.h"
 
 using namespace breakaway;
 
@@ -16,6 +17,7 @@ class TestBridgeFit : public QObject {
   void coarseEncoder_leavesTheResistanceAlone();
   void lowVoltages_areRefusedInWords();
   void alwaysTheSameCurrent_isRefusedInWords();
+  void curveThatCantBeTold_leavesTheBackEmfOpen();
 };
 
 namespace {
@@ -128,6 +130,39 @@ void TestBridgeFit::alwaysTheSameCurrent_isRefusedInWords() {
   const auto fit = fitBridge(same);
   QVERIFY(!fit.ok());
   QVERIFY2(fit.error().message().find("resistance") != std::string::npos, fit.error().message().c_str());
+}
+
+/// The current hardly differs, and a constant by a straight line beyond the dead zone is off by what the bridge bends.
+void TestBridgeFit::curveThatCantBeTold_leavesTheBackEmfOpen() {
+  int straightHeld = 0, held = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const BridgeTests same = tests(bent, 0.4, 0.003, seed);
+    QVERIFY(!fitBridge(same).ok());
+    double n = 0.0, w = 0.0, ww = 0.0, e = 0.0, we = 0.0;
+    for (size_t k = 1; k < same.moving[0].size(); ++k) {
+      const SpinBlock &before = same.moving[0][k - 1], &here = same.moving[0][k];
+      const double way = here.voltage_V > 0.0 ? 1.0 : -1.0;
+      const double speed = way * (here.angle_rad - before.angle_rad) / here.duration_s;
+      const double emf = way * (here.voltage_V - R * here.current_A);
+      if (speed * Ke < 0.05 * supply_V) continue;
+      n += 1.0, w += speed, ww += speed * speed, e += emf, we += speed * emf;
+    }
+    IdentifiedMotor motor;
+    motor.backEmfConstant_V_s_per_rad.value = (we - w * e / n) / (ww - w * w / n);
+    motor.backEmfConstant_V_s_per_rad.standardError = 7e-4 * motor.backEmfConstant_V_s_per_rad.value;
+    const auto holds = [&] {
+      const Estimate& one = motor.backEmfConstant_V_s_per_rad;
+      return one.low95() <= Ke && Ke <= one.high95();
+    };
+    straightHeld += holds() ? 1 : 0;
+    const auto any = backEmfOfAnyCurve(same);
+    QVERIFY(any.has_value());
+    const double doubt = widenByBridge(motor, *any);
+    QVERIFY2(doubt < 0.1, qPrintable(QString::number(doubt)));
+    QCOMPARE(motor.torqueConstant_Nm_per_A.standardError, motor.backEmfConstant_V_s_per_rad.standardError);
+    held += holds() ? 1 : 0;
+  }
+  QVERIFY2(straightHeld <= 2 && held >= 9, qPrintable(QString("%1 %2").arg(straightHeld).arg(held)));
 }
 
 QTEST_APPLESS_MAIN(TestBridgeFit)
