@@ -9,6 +9,7 @@ namespace breakaway {
 namespace {
 
 constexpr double worthSaying = 0.01;  // relative standard error
+constexpr double usualBend = 0.04;    // likewise, of a back-EMF constant by a bridge that bends as bridges do
 
 class Bridge : public Step {
  public:
@@ -51,9 +52,8 @@ void takeBridge(const MotorTests& tests, IdentifiedMotor& motor, Commission& kno
   } else {
     known.remark(message("{}; resistance and back-EMF constant rest on a straight line beyond the dead zone.",
                          bridge.error().said()));
-    const auto any = backEmfOfAnyCurve(tests.bridge);
-    if (!any) return;
-    const double doubt = widenByBridge(motor, *any);
+    const double Ke = motor.backEmfConstant_V_s_per_rad.value;
+    const double doubt = widenByBridge(motor, backEmfOfAnyCurve(tests.bridge).value_or(Estimate{Ke, usualBend * Ke}));
     if (doubt < worthSaying) return;
     known.remark(
         motor.torqueConstantTrusted
