@@ -27,6 +27,8 @@ class TestWiringCheck : public QObject {
   void fault_isNamed();
   void load_isSaidWithItsWay_data();
   void load_isSaidWithItsWay();
+  void playWithALoadFreeOfFriction_isNoLoad_data();
+  void playWithALoadFreeOfFriction_isNoLoad();
   void supplyMisread_isGoneOnWithOnlyAnyway();
   void anotherMotorOnResume_isTold();
   void heavyRotor_isGivenTime();
@@ -201,6 +203,24 @@ void TestWiringCheck::load_isSaidWithItsWay() {
   QFETCH(QString, words);
   const Checked all = checked(wiredRig(preset.toStdString(), wiring.toStdString()));
   QVERIFY2(all.done.ok() && all.said().contains(words), qPrintable("said: " + all.said()));
+}
+
+void TestWiringCheck::playWithALoadFreeOfFriction_isNoLoad_data() {
+  QTest::addColumn<double>("gap_rad");
+  for (const double gap_rad : {0.02, 0.06, 0.1}) QTest::addRow("%g rad", gap_rad) << gap_rad;
+}
+
+/// The encoder sits behind the gap, where nothing brakes it: once the motor has let go it goes to and fro for long.
+void TestWiringCheck::playWithALoadFreeOfFriction_isNoLoad() {
+  QFETCH(double, gap_rad);
+  const std::string coupling =
+      "{ \"coupling\": {\"stiffness_Nm_per_rad\": 5.4, \"load_inertia_kg_m2\": 6e-5, "
+      "\"damping_Nm_s_per_rad\": 1.8e-3, \"gap_rad\": " +
+      std::to_string(gap_rad) + "},";
+  const Checked all = checked(replaced(wiredRig("servo", ""), "{", coupling));
+  QVERIFY2(!all.said().contains("a load") || all.done.ok(), qPrintable(all.said()));
+  QVERIFY2(all.done.ok() || all.said().contains("there is play"), qPrintable(all.said()));
+  if (gap_rad > 0.05) QVERIFY2(all.said().contains("there is play"), qPrintable(all.said()));
 }
 
 void TestWiringCheck::supplyMisread_isGoneOnWithOnlyAnyway() {
