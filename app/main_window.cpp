@@ -10,6 +10,7 @@
 #include <chrono>
 
 #include "session/session.h"
+#include "widgets/click_guard.h"
 #include "widgets/closing.h"
 #include "widgets/fields.h"
 #include "widgets/manual.h"
@@ -43,6 +44,7 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
   buildHelp();
   new StopKeys([&connection = session.connection] { connection.stop(); }, this);
   new WheelGuard(this);
+  new ClickGuard(this);
   next_.setInterval(soon);
   connect(&next_, &QTimer::timeout, this, &MainWindow::speakWhenItMay);
   contents_->findChild<QWidget*>("steps")->setFocus();

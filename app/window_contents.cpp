@@ -46,7 +46,10 @@ WindowContents::WindowContents(Session& session, FileChooser& files, QWidget* pa
   buildParameters(session, files);
   layOut(new BoardBar(session.connection, this));
   toast_ = new Toast(session.messages, this);
-  connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
+  connect(toast_, &Toast::clicked, this, [this](const QString& text) {
+    showLog(true);
+    log_->showLine(text);
+  });
   rail_->installEventFilter(this);
   goTo(0);
 }
@@ -189,6 +192,7 @@ void WindowContents::goTo(int row) {
     const auto policy = page == pages_[static_cast<size_t>(row)] ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     page->setSizePolicy(policy, policy);
   }
+  room_->setLeast(pages_[static_cast<size_t>(row)]->leastWidth_px());
   stack_->setCurrentIndex(row);
   if (rail_->currentRow() != row) rail_->setCurrentRow(row);
   fitLive();
@@ -289,6 +293,7 @@ bool WindowContents::focusNextPrevChild(bool next) {
 
 void WindowContents::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  parameters_->fitIn(width());
   fitLive();
 }
 

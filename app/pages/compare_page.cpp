@@ -210,7 +210,7 @@ void ComparePage::keepVisible() {
                  .toStdString();
   if (comparison_.bench()) run.motor = comparison_.bench()->motorSerial;
   run.write = [part = *part](const std::string& folder) { return writeCsv(part, folder + "/recording.csv"); };
-  project_.put(run, tr("The visible part"));
+  project_.put(run);
 }
 
 void ComparePage::showInputs() {

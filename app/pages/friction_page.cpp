@@ -27,7 +27,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int boxWidth = 128;
+constexpr int boxWidth = 128, continueWidth = 112;
 
 QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit) {
   return estimate ? estimateText(*estimate, scale, unit) : FrictionPage::tr("not measured");
@@ -67,6 +67,7 @@ FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, ShownMaps& 
       messages_(messages),
       files_(files) {
   breakaway_ = addPrimary("breakawaySweepButton", tr("Run breakaway sweep"));
+  continue_ = addSecondary("continueSweepButton", tr("Continue"), continueWidth);
   velocity_ = addSecondary("velocitySweepButton", tr("Run velocity sweep"), 160);
   map_ = new MapPanel(this);
   buildSettings();
@@ -102,7 +103,8 @@ void FrictionPage::buildSettings() {
   settings()->addWidget(maps);
   settings()->addStretch(1);
   connect(velocity_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::velocitySweep, sweeps()); });
-  connect(breakaway_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::breakaway, sweeps()); });
+  for (QPushButton* button : {continue_, breakaway_})
+    connect(button, &QPushButton::clicked, this, [this] { bench_.make(RunKind::breakaway, sweeps()); });
   connect(trial_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::trial, sweeps()); });
 }
 
@@ -167,9 +169,8 @@ void FrictionPage::showHead() {
                    tr("A map of the project. A sweep measures today's, which is shown then."));
   const bool linear = worded_ == Axis::linear;
   setHead(linear ? tr("Friction over the travel") : tr("Friction around the rotor"),
-          linear
-              ? tr("The force at which the axis breaks away at every place, both ways; and what keeps it moving.")
-              : tr("The torque at which the rotor breaks away at every angle, both ways; and what keeps it moving."));
+          linear ? tr("The force that breaks the axis away at every place, and what keeps it moving.")
+                 : tr("The torque that breaks the rotor away at every angle, and what keeps it moving."));
 }
 
 void FrictionPage::wordFor(Axis axis) {
@@ -217,24 +218,32 @@ void FrictionPage::showMotion() {
   map_->setUnderWay(connection_.runs(RunKind::breakaway));
   if (sweeping && maps_.opened()) return maps_.open({});
   const bool linear = connection_.linear();
-  const auto offer = [this](QPushButton* button, RunKind kind, const QString& what) {
+  const auto offer = [this](QPushButton* button, RunKind kind, const QString& what, const QString& otherwise = {}) {
     const QString first = connection_.connected() ? bench_.missingFor(kind, sweeps()) : QString();
-    setAvailable(button, first.isEmpty() ? what : what + " " + first, bench_.obstacleToMake(kind));
+    const QString obstacle = bench_.obstacleToMake(kind);
+    setAvailable(button, first.isEmpty() ? what : what + " " + first, obstacle.isEmpty() ? otherwise : obstacle);
   };
   offer(velocity_, RunKind::velocitySweep,
         linear ? tr("Strokes to and fro over the travel at several speeds.")
                : tr("Turns at constant speeds, both ways, over whole turns."));
+  // Two buttons, each of which means one thing: what goes on and what begins never lie under the same click.
+  const Commission& known = bench_.known();
+  const size_t whole = 2 * sweeps().bins * sweeps().turns, done = known.breakaways.size() + known.missed;
+  const bool unfinished = done > 0 && !known.knows(Known::breakaways);
+  const bool goesOn = unfinished && !known.otherThan(sweeps()).has(Known::breakaways);
   offer(breakaway_, RunKind::breakaway,
         linear ? tr("Steps over the travel; at each place the current rises slowly until the axis moves.")
-               : tr("Steps around the rotor; at each angle the current rises slowly until the shaft moves."));
+               : tr("Steps around the rotor; at each angle the current rises slowly until the shaft moves."),
+        goesOn ? tr("A sweep is unfinished: Continue goes on with it, Start anew forgets it") : QString());
+  offer(continue_, RunKind::breakaway, tr("Goes on with the sweep: %1 of %2 are measured.").arg(done).arg(whole),
+        goesOn       ? QString()
+        : unfinished ? tr("The sweep began with other settings; Run breakaway sweep begins anew with these")
+                     : tr("No sweep is unfinished"));
+  dressAs(continue_, "role", continue_->isEnabled() ? "primary" : QString());
   offer(
       trial_, RunKind::trial,
       tr("Tunes the controller for the motor as it is known now, leaves it so, and goes slowly to and fro without and "
          "with the measured friction compensated."));
-  const Commission& known = bench_.known();
-  const size_t whole = 2 * sweeps().bins * sweeps().turns, done = known.breakaways.size() + known.missed;
-  const bool goesOn = done > 0 && !known.knows(Known::breakaways);
-  breakaway_->setText(goesOn ? tr("Continue (%1 of %2)").arg(done).arg(whole) : tr("Run breakaway sweep"));
   setAvailable(anew_, tr("Forgets what the interrupted sweeps have measured; the motor stays known."),
                connection_.connected() && !isUnfinished(known) ? tr("No sweep is unfinished") : connection_.obstacle());
   showState();

@@ -58,6 +58,7 @@ class FrictionPage : public Page {
   QSpinBox* turns_ = nullptr;
   QPushButton* velocity_ = nullptr;
   QPushButton* breakaway_ = nullptr;
+  QPushButton* continue_ = nullptr;
   QPushButton* anew_ = nullptr;
   QPushButton* trial_ = nullptr;
   RunPanel* run_ = nullptr;

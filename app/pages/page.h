@@ -29,6 +29,8 @@ class Page : public QWidget {
   virtual bool isTool() const { return false; }
   /// Whether plots of what comes from the board have room below it.
   virtual bool wantsLive() const { return true; }
+  /// What it needs beside something else; by default what a page has on the smallest screen, beside the rail.
+  virtual int leastWidth_px() const { return 1112; }
   /// Whether something is under way whose end it waits for, so that it can't go now.
   virtual bool busy() const { return false; }
 

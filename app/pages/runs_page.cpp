@@ -193,7 +193,7 @@ void RunsPage::showRun(const KeptRun& kept) {
   QStringList findings;
   for (const std::string& one : kept.run.findings) findings << QString::fromStdString(one);
   findings_->setText(findings.join("\n\n"));
-  read(tr("Run %1: %2").arg(QString::fromStdString(kept.run.id), QString::fromStdString(kept.folder)));
+  read(tr("Folder: %1").arg(QString::fromStdString(kept.folder)));
   showButtons();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -32,7 +33,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr int soon_ms = 25, tableHeight = 148, leastTable = 84, plotsWidth = 320, stepBoxWidth = 136;
+constexpr int soon_ms = 25, tableHeight = 148, leastTable = 84, plotsWidth = 320, stepBoxWidth = 136,
+              wholeFrom_px = 1000;
 
 /// A round number above what is set, so that a slider has room both ways.
 QuantityRange roomFor(double value, double otherwise) {
@@ -45,6 +47,13 @@ QuantityRange roomFor(double value, double otherwise) {
 bool isOfPosition(double ControllerSettings::*field) {
   return field == &ControllerSettings::position_kp_A_per_rad || field == &ControllerSettings::position_ki_A_per_rad_s ||
          field == &ControllerSettings::position_kd_A_s_per_rad;
+}
+
+/// A step in position as it is drawn: in degrees or mm.
+void inShownPosition(StepCurve& curve, bool linear) {
+  const double scale = linear ? 1e3 : 180.0 / std::numbers::pi;
+  for (std::vector<double>* values : {&curve.velocity_rad_per_s, &curve.reference_rad_per_s})
+    for (double& value : *values) value *= scale;
 }
 
 QString milliseconds(double time_s) {
@@ -195,7 +204,7 @@ QWidget* TunePage::buildStep() {
     return one;
   };
   height_ = box("stepHeight", tr("Velocity step"), tr("From standstill to this velocity"));
-  travel_ = box("stepTravel", tr("Position step"), tr("The step in position that is foretold; nothing moves"));
+  travel_ = box("stepTravel", tr("Position step"), tr("From where it stands to a place so far from there"));
   name->setBuddy(height_);
   return group;
 }
@@ -217,11 +226,7 @@ void TunePage::showLoop(bool position) {
 
 void TunePage::showCurve() {
   StepCurve curve = preview_.step;
-  if (position_) {
-    const double scale = connection_.linear() ? 1e3 : 180.0 / std::numbers::pi;
-    for (std::vector<double>* values : {&curve.velocity_rad_per_s, &curve.reference_rad_per_s})
-      for (double& value : *values) value *= scale;
-  }
+  if (position_) inShownPosition(curve, connection_.linear());
   plot_->setQuantity(position_ ? (connection_.linear() ? tr("Position (mm)") : tr("Angle (°)"))
                                : tr("Speed (%1)").arg(unitsOf(connection_.identity().axis).speed));
   plot_->foretell(curve);
@@ -229,13 +234,24 @@ void TunePage::showCurve() {
 
 QWidget* TunePage::buildChips() {
   auto* group = new QWidget(this);
-  auto* row = rowIn(group, 8);
+  chips_ = new QGridLayout(group);
+  chips_->setContentsMargins(0, 0, 0, 0);
+  chips_->setSpacing(8);
   phase_ = new FigureChip("phaseMarginChip", tr("Phase margin"), group);
   gain_ = new FigureChip("gainMarginChip", tr("Gain margin"), group);
   rule_ = new FigureChip("alphaChip", tr("αgT"), group);
   noise_ = new FigureChip("noiseChip", tr("Current noise"), group);
-  for (FigureChip* chip : {phase_, gain_, rule_, noise_}) row->addWidget(chip, 1);
+  arrangeChips(4);
   return group;
+}
+
+void TunePage::arrangeChips(int columns) {
+  int at = 0;
+  for (FigureChip* chip : {phase_, gain_, rule_, noise_}) {
+    chips_->addWidget(chip, at / columns, at % columns);
+    ++at;
+  }
+  for (int column = 0; column < at; ++column) chips_->setColumnStretch(column, column < columns ? 1 : 0);
 }
 
 QWidget* TunePage::buildPlots() {
@@ -258,13 +274,22 @@ QWidget* TunePage::buildPlots() {
   locus_ = new LocusPlot(group);
   right->addWidget(titled(group, {}, bode_), 1);
   right->addWidget(titled(group, tr("Poles as g grows (1/s)"), locus_), 1);
-  auto* side = new QWidget(group);
-  side->setFixedWidth(plotsWidth);
-  side->setLayout(right);
+  loops_ = new QWidget(group);
+  loops_->setFixedWidth(plotsWidth);
+  loops_->setLayout(right);
   right->setContentsMargins(0, 0, 0, 0);
   row->addLayout(left, 1);
-  row->addWidget(side);
+  row->addWidget(loops_);
   return group;
+}
+
+/// Where all of it has no room, the step stays, with what it came to.
+void TunePage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  const bool whole = width() >= wholeFrom_px;
+  loops_->setVisible(whole);
+  for (const int column : {1, 2, 3}) table_->setColumnHidden(column, !whole);  // gains: they stand in the parameters
+  arrangeChips(whole ? 4 : 2);
 }
 
 void TunePage::wordForAxis() {
@@ -332,7 +357,7 @@ void TunePage::showEdits() {
   for (QPushButton* button : stiffness_)
     setAvailable(button, tr("Sets gains whose margins hold for what is known of the motor; Apply sends them"),
                  bench_.tuningObstacle());
-  StepState state = stateOf(connection_, {RunKind::step});
+  StepState state = stateOf(connection_, {RunKind::step, RunKind::positionStep});
   if (state.mark == StepMark::open && !bench_.steps().empty())
     state = {StepMark::done, tr("%1 measured").arg(bench_.steps().size())};
   if (count > 0) state = {StepMark::paused, tr("%1 not applied").arg(count)};
@@ -346,13 +371,20 @@ VelocityStepOptions TunePage::step() const {
   return options;
 }
 
+PositionStepOptions TunePage::positionStep() const {
+  PositionStepOptions options;
+  options.by_rad = travel_->value() * (connection_.linear() ? 1e-3 : std::numbers::pi / 180.0);
+  options.axis = connection_.identity().axis;
+  return options;
+}
+
 void TunePage::foretell() {
   preview_ = onBoard_ = {};
   if (connection_.connected() && bench_.gainsObstacle().isEmpty()) {
     PreviewQuestion question{connection_.identity(), edits_.edited(), bench_.motor(),
                              knownCoulomb_Nm(bench_.bench(), bench_.known()), step()};
     question.mode = position_ ? ServoMode::position : ServoMode::velocity;
-    question.to_rad = travel_->value() * (connection_.linear() ? 1e-3 : std::numbers::pi / 180.0);
+    question.to_rad = positionStep().by_rad;
     preview_ = previewOf(question);
     question.settings = edits_.accepted();
     if (edits_.count() > 0) onBoard_ = previewOf(question);
@@ -397,25 +429,32 @@ void TunePage::showChips() {
 void TunePage::showMotion() {
   const auto highest = bench_.highestStep();
   if (highest) height_->setMaximum(*highest);
-  setAvailable(measure_,
-               connection_.linear()
-                   ? tr("Goes to the lower end of the travel, then the step forwards, measured and stopped "
-                        "again, with what the board has now")
-                   : tr("Turns up to 2 s: standstill, then the step, measured and stopped again, with what the board "
-                        "has now"),
-               position_ ? tr("Steps of speed are measured; Drive by hand goes by an angle") : bench_.stepObstacle());
+  if (const auto longest = bench_.longestStep()) travel_->setMaximum(1e3 * *longest);
+  const QString motion =
+      connection_.linear()
+          ? tr("Goes to the lower end of the travel, then the step forwards, measured and stopped again, with what the "
+               "board has now")
+      : position_
+          ? tr("Holds the shaft for 0.8 s, then the step, measured and let go, with what the board has now")
+          : tr("Turns up to 2 s: standstill, then the step, measured and stopped again, with what the board has "
+               "now");
+  setAvailable(measure_, motion, bench_.stepObstacle());
   showEdits();
 }
 
 void TunePage::measure() {
-  bench_.measureStep(step());
+  position_ ? bench_.measureStep(positionStep()) : bench_.measureStep(step());
 }
 
-/// Measured are steps of the velocity loop.
+/// Of the loop that is shown.
 void TunePage::showSteps() {
-  static const std::vector<StepResult> none;
   const Look& look = Look::of(palette());
-  const std::vector<StepResult>& steps = position_ ? none : bench_.steps();
+  std::vector<StepResult> steps;
+  for (const StepResult& one : bench_.steps()) {
+    if ((one.kind == RunKind::positionStep) != position_) continue;
+    steps.push_back(one);
+    if (position_) inShownPosition(steps.back().curve, connection_.linear());
+  }
   plot_->show(steps);
   const bool foretold = !preview_.step.time_s.empty();
   table_->setRowCount(static_cast<int>(steps.size()) + (foretold ? 1 : 0));
@@ -435,7 +474,8 @@ void TunePage::showSteps() {
   for (size_t k = steps.size(); k-- > 0;)  // the newest on top
     row(at++, tr("Step %1").arg(k + 1), steps[k].settings, steps[k].figures,
         k >= StepPlot::firstDrawn(steps.size()) ? look.curve(StepPlot::colourOf(k)) : look.ink);
-  setAvailable(forget_, !steps.empty(), tr("Forget all measured steps"), tr("No step was measured"));
+  setAvailable(forget_, !bench_.steps().empty(), tr("Forget all measured steps, of both loops"),
+               tr("No step was measured"));
   const AxisUnits units = unitsOf(connection_.identity().axis);
   const QString meanings[] = {
       tr("Foretold, or which measured one"),

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "experiment/identity.h"
+#include "experiment/position_step.h"
 #include "pages/page.h"
 #include "session/tuning_preview.h"
 
 class QPushButton;
 class QTableWidget;
 class QDoubleSpinBox;
+class QGridLayout;
 class QLabel;
 
 namespace breakaway {
@@ -31,8 +33,13 @@ class TunePage : public Page {
 
  public:
   TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edits, QWidget* parent = nullptr);
+  /// Beside the parameters the step is left of its plots.
+  int leastWidth_px() const override { return 672; }
   /// Of what is set on the page, as far as it was computed.
   const TuningPreview& preview() const { return preview_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Slider {
@@ -56,10 +63,12 @@ class TunePage : public Page {
   void showEdits();
   void foretell();
   void showChips();
+  void arrangeChips(int columns);
   void showSteps();
   void showMotion();
   void measure();
   VelocityStepOptions step() const;
+  PositionStepOptions positionStep() const;
 
   Connection& connection_;
   BenchRuns& bench_;
@@ -83,11 +92,13 @@ class TunePage : public Page {
   FigureChip* gain_ = nullptr;
   FigureChip* rule_ = nullptr;
   FigureChip* noise_ = nullptr;
+  QWidget* loops_ = nullptr;  ///< Bode plot and root locus
   StepPlot* plot_ = nullptr;
   BodePlot* bode_ = nullptr;
   LocusPlot* locus_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel* source_ = nullptr;
+  QGridLayout* chips_ = nullptr;
   QTimer soon_;
 };
 

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "session/language.h"
+#include "session/run_title.h"
 
 namespace breakaway {
 
@@ -52,20 +53,20 @@ void BenchProject::queue(Work work) {
   });
 }
 
-void BenchProject::put(const NewRun& run, const QString& what, std::function<void()> then) {
+void BenchProject::put(const NewRun& run, std::function<void()> then) {
   if (folder_.isEmpty()) open(defaultFolder());
-  writers_.start([this, run, what, then = std::move(then)] {
+  writers_.start([this, run, then = std::move(then)] {
     const auto place = std::make_shared<QTemporaryDir>();
     NewRun whole = run;
     whole.write = {};
     whole.sources.push_back(place->path().toStdString());
     const auto written = run.write ? run.write(place->path().toStdString()) : Result<void>();
-    queue([this, place, whole, written, what, then](Project* project) -> std::function<void()> {
+    queue([this, place, whole, written, then](Project* project) -> std::function<void()> {
       if (project == nullptr) return {};
       const auto put = written ? project->add(whole) : Result<ProjectRun>(written.error());
-      return [this, put, what, then] {
+      return [this, put, then] {
         if (!put) return messages_.warn(put.error());
-        messages_.say(tr("%1 is in the project, as run %2").arg(what, QString::fromStdString(put->id)));
+        messages_.say(tr("Kept in the project: %1").arg(titleOf(*put)));
         emit changed();
         if (then) then();
       };

@@ -29,9 +29,8 @@ class BenchProject : public QObject {
   void open(const QString& folder);
   const QString& folder() const { return folder_; }
 
-  /// Puts a run in; `what` is what the person is told is in the project then, e.g. "The friction map"; and then does
-  /// `then`.
-  void put(const NewRun& run, const QString& what, std::function<void()> then = {});
+  /// Puts a run in, says under which name, and then does `then`.
+  void put(const NewRun& run, std::function<void()> then = {});
   /// Does `work` with the project in its thread, one after the other, and then what that gave in this one. There is no
   /// project where none could be opened.
   void inProject(Work work);

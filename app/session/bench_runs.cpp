@@ -76,13 +76,24 @@ void BenchRuns::turnSlowly() {
 void BenchRuns::measureStep(const VelocityStepOptions& wanted) {
   VelocityStepOptions options = wanted;
   options.axis = connection_.identity().axis;
-  const auto step = std::make_shared<VelocityStep>(options);
+  measure(RunKind::step, std::make_shared<VelocityStep>(options), options);
+}
+
+void BenchRuns::measureStep(const PositionStepOptions& wanted) {
+  PositionStepOptions options = wanted;
+  options.axis = connection_.identity().axis;
+  measure(RunKind::positionStep, std::make_shared<PositionStep>(options), PositionStep::asVelocityStep(options));
+}
+
+template <class Step>
+void BenchRuns::measure(RunKind kind, std::shared_ptr<Step> step, const VelocityStepOptions& options) {
   std::shared_ptr<Procedure> whole = step;
   if (axisIsHomed()) whole = std::make_shared<StepOverTravel>(known_, step);
-  connection_.start({RunKind::step, whole, [step, options, settings = connection_.settings()] {
-                       const bool finished = step->state() == Procedure::State::finished;
-                       return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
-                     }});
+  connection_.start(
+      {kind, whole, [kind, step, options, settings = connection_.settings()] {
+         const bool finished = step->state() == Procedure::State::finished;
+         return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings, kind};
+       }});
 }
 
 void BenchRuns::runManeuver(const Maneuver& motion) {
@@ -177,9 +188,8 @@ QString BenchRuns::turningObstacle() const {
 
 QString BenchRuns::stepObstacle() const {
   if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
-  return connection_.linear() && !axisIsHomed()
-             ? tr("Home first: a step in velocity needs room, and the ends are not known yet")
-             : QString();
+  return connection_.linear() && !axisIsHomed() ? tr("Home first: a step needs room, and the ends are not known yet")
+                                                : QString();
 }
 
 QString BenchRuns::handObstacle() const {
@@ -196,6 +206,11 @@ std::optional<Estimate> BenchRuns::index_rad() const {
 std::optional<double> BenchRuns::highestStep() const {
   if (!axisIsHomed()) return {};
   return highestStep_m_per_s(known_, VelocityStepOptions{});
+}
+
+std::optional<double> BenchRuns::longestStep() const {
+  if (!axisIsHomed()) return {};
+  return longestStep_m(known_);
 }
 
 QString BenchRuns::gainsObstacle() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commission/known.h"
+#include "experiment/position_step.h"
 #include "experiment/velocity_step.h"
 #include "motor/bench.h"
 #include "motor/maneuver.h"
@@ -32,6 +33,8 @@ class BenchRuns : public QObject {
   /// An experiment's, within the board's limits; on a linear axis between its margins.
   void runManeuver(const Maneuver& motion);
   void measureStep(const VelocityStepOptions& wanted);
+  /// On a homed linear axis forwards from the lower margin.
+  void measureStep(const PositionStepOptions& wanted);
   /// Runs until the grip is let go.
   std::shared_ptr<HandGrip> driveByHand(const HandOptions& options);
   /// One step, as long as the grip is held.
@@ -49,7 +52,7 @@ class BenchRuns : public QObject {
 
   // Why it can't be started now; empty when it can.
   QString turningObstacle() const;
-  QString stepObstacle() const;
+  QString stepObstacle() const;  ///< of either step
   QString handObstacle() const;
   QString obstacleToMake(RunKind kind) const;
   QString gainsObstacle() const;
@@ -73,6 +76,8 @@ class BenchRuns : public QObject {
   const std::optional<Bench>& bench() const { return bench_; }
   /// As fast a step as the homed linear axis has room for.
   std::optional<double> highestStep() const;
+  /// And as long a step in position.
+  std::optional<double> longestStep() const;
   /// What is known of the motor so far, for tuning.
   KnownMotor motor() const { return knownMotor(connection_.settings(), bench_, known_); }
   /// Tunes `settings` to a stiffness from what is known of the motor, in the pool; tuned() brings the result. Nothing
@@ -91,6 +96,8 @@ class BenchRuns : public QObject {
   void meetBoard();
   void leaveBoard();
   void lineariseBoard();
+  template <class Step>
+  void measure(RunKind kind, std::shared_ptr<Step> step, const VelocityStepOptions& options);
   void keepResult(const RunSnapshot& snapshot);
   void keepKnown(const KnownPtr& now);
   Facts forgottenFor(RunKind kind, const SweepSettings& sweeps) const;

@@ -98,7 +98,7 @@ std::vector<Measured> resultsOf(Known fact, const Commission& known) {
 
 bool identifies(RunKind kind) {
   return kind != RunKind::none && kind != RunKind::turning && kind != RunKind::hand && kind != RunKind::step &&
-         kind != RunKind::experiment;
+         kind != RunKind::positionStep && kind != RunKind::experiment;
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ void KeptResults::keepRun(const RunSnapshot& snapshot) {
   if (map && done->knows(Known::map)) {
     run.kind = "commission";
     run.write = [done](const std::string& folder) { return writeCommission(*done, {}, folder); };
-    project_.put(run, tr("The friction map"), [this, device = done->identity.device] { emit mapKept(device); });
+    project_.put(run, [this, device = done->identity.device] { emit mapKept(device); });
   } else if (snapshot.kind == RunKind::identification && done->knows(Known::motor)) {
     run.kind = "identification";
     run.write = [done](const std::string& folder) { return writeIdentification(*done, folder); };
-    project_.put(run, tr("The motor"));
+    project_.put(run);
   }
 }
 
@@ -44,7 +44,7 @@ void KeptResults::keepDiagnosis() {
                heldout = comparison_.allHeldout()](const std::string& folder) {
     return writeDiagnosisFolder(diagnosis, bench, recordings, heldout, folder);
   };
-  project_.put(run, tr("The diagnosis"));
+  project_.put(run);
 }
 
 }  // namespace breakaway

@@ -3,6 +3,7 @@
 #include "base/made.h"
 #include "recording/sample_recording.h"
 #include "session/language.h"
+#include "session/run_title.h"
 
 namespace breakaway {
 
@@ -118,8 +119,7 @@ void LiveSamples::takeEnd(const RecordingEnd& end) {
   if (end.why.empty()) {
     messages_.say(what);
   } else {
-    messages_.warn(tr("%1, then %2; the recording is kept as run %3")
-                       .arg(what, inLanguage(Message(end.why)), QString::fromStdString(run_.id)));
+    messages_.warn(tr("%1, then %2. Kept in the project: %3").arg(what, inLanguage(Message(end.why)), titleOf(run_)));
   }
   emit recordingChanged();
 }

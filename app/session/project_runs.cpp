@@ -9,6 +9,7 @@
 #include "base/output_folder.h"
 #include "friction/map_export.h"
 #include "recording/block_file.h"
+#include "session/run_title.h"
 
 namespace breakaway {
 
@@ -128,7 +129,7 @@ void ProjectRuns::readMap(const std::string& id, const QObject* asker, std::func
         const auto run = project.index().find(id);
         if (!run) return run.error();
         const RunFile* file = run->file("map");
-        if (file == nullptr) return Error{"run " + run->id, message("has no friction map")};
+        if (file == nullptr) return Error{titleOf(*run).toStdString(), message("has no friction map")};
         const auto map = breakaway::readMap(project.pathOf(*run, file->path));
         if (!map) return map.error();
         return KeptMap{*run, *map};
@@ -167,7 +168,7 @@ void ProjectRuns::saveCsv(const std::string& id, const QString& csv) {
         const auto run = project.index().find(id);
         if (!run) return run.error();
         const RunFile* file = run->file("recording");
-        if (file == nullptr) return Error{"run " + run->id, message("has no recording")};
+        if (file == nullptr) return Error{titleOf(*run).toStdString(), message("has no recording")};
         const std::string path = project.pathOf(*run, file->path);
         if (isBlockFile(path)) {
           if (auto written = writeBlocksAsCsv(path, csv.toStdString()); !written) return written.error();

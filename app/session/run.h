@@ -18,6 +18,7 @@ enum class RunKind {
   turning,
   hand,
   step,
+  positionStep,
   wiring,
   identification,
   homing,
@@ -31,8 +32,9 @@ enum class RunKind {
 struct StepResult {
   StepCurve curve;
   StepFigures figures;
-  VelocityStepOptions options;
+  VelocityStepOptions options;  ///< of a step in position: in rad or m from where it stood
   ControllerSettings settings;
+  RunKind kind = RunKind::step;  ///< or positionStep
 };
 
 /// Of the bench job: what it knows so far, never changed once it is handed over.

@@ -7,12 +7,13 @@ namespace breakaway {
 
 namespace {
 
-constexpr double partOfPace = 0.3;    // that it goes to its beginning with
-constexpr double partOfTravel = 0.9;  // between the margins, that a step takes
+constexpr double partOfPace = 0.3;     // that it goes to its beginning with
+constexpr double partOfTravel = 0.9;   // between the margins, that a step takes
+constexpr double mostOvershoot = 0.5;  // of a step in position
 
 }  // namespace
 
-StepOverTravel::StepOverTravel(const Commission& axis, std::shared_ptr<VelocityStep> step)
+StepOverTravel::StepOverTravel(const Commission& axis, std::shared_ptr<Procedure> step)
     : way_(axis.counted.first_m(), 0.5 * axis.counted.margin_m,
            Glide(partOfPace * axis.pace.speed_m_per_s, axis.pace.acceleration_m_per_s2)),
       step_(std::move(step)) {
@@ -41,6 +42,10 @@ double highestStep_m_per_s(const Commission& axis, const VelocityStepOptions& op
   const double t = options.after_s, room_m = partOfTravel * axis.counted.usable_m();
   const double byRoom = (std::sqrt(t * t + 4.0 * coasting * room_m) - t) / (2.0 * coasting);
   return std::min(axis.pace.speed_m_per_s, byRoom);
+}
+
+double longestStep_m(const Commission& axis) {
+  return partOfTravel * axis.counted.usable_m() / (1.0 + mostOvershoot);
 }
 
 }  // namespace breakaway

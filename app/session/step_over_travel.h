@@ -1,4 +1,4 @@
-// A step in velocity on a linear axis, whose room ends: from the lower margin on, as high as the travel allows.
+// A step on a linear axis, whose room ends: from the lower margin on, as high or as far as the travel allows.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace breakaway {
 class StepOverTravel : public Procedure {
  public:
   /// `axis`: homed. `step`: that is made.
-  StepOverTravel(const Commission& axis, std::shared_ptr<VelocityStep> step);
+  StepOverTravel(const Commission& axis, std::shared_ptr<Procedure> step);
 
   Command step(const Sample& sample) override;
   Status status() const override;
@@ -23,10 +23,12 @@ class StepOverTravel : public Procedure {
   bool there() const { return way_.state() == State::finished; }
 
   TravelTo way_;
-  std::shared_ptr<VelocityStep> step_;
+  std::shared_ptr<Procedure> step_;
 };
 
 /// The highest velocity of such a step: as far as it goes and coasts, it stays between the margins.
 double highestStep_m_per_s(const Commission& axis, const VelocityStepOptions& options);
+/// The longest step in position: so long that it stays between the margins though it overshoots by half.
+double longestStep_m(const Commission& axis);
 
 }  // namespace breakaway

@@ -4,7 +4,10 @@
 
 #include <QMouseEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "base/numbers.h"
 #include "session/comparison.h"
@@ -14,6 +17,23 @@
 #include "widgets/residual_axis.h"
 
 namespace breakaway {
+
+namespace {
+
+constexpr double nearSpacings = 2.5;  // of the middle one, between cells that a line joins
+constexpr double wideBar_px = 9.0, thinBar_px = 3.0;
+
+}  // namespace
+
+bool leadsOn(const ResidualMap& map, size_t cell) {
+  if (cell + 1 >= map.centre.size() || !std::isfinite(map.mean[cell]) || !std::isfinite(map.mean[cell + 1]))
+    return false;
+  std::vector<double> spacings;
+  for (size_t k = 1; k < map.centre.size(); ++k) spacings.push_back(map.centre[k] - map.centre[k - 1]);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return map.centre[cell + 1] - map.centre[cell] <= nearSpacings * *middle;
+}
 
 EvidencePlot::EvidencePlot(Comparison& comparison, QWidget* parent)
     : QWidget(parent), comparison_(comparison), plot_(new QCustomPlot(this)) {
@@ -51,7 +71,7 @@ EvidencePlot::EvidencePlot(Comparison& comparison, QWidget* parent)
 void EvidencePlot::draw() {
   const Look& look = Look::of(palette());
   dress(*plot_, look);
-  plot_->clearGraphs();
+  plot_->clearPlottables();
   plot_->clearItems();
   const auto& evidence = comparison_.evidence();
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
@@ -75,8 +95,8 @@ void EvidencePlot::draw() {
   }
   if (evidence) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
-    title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bands 95 %")
-                                      : tr("Residual torque (mNm) over %1, unseen data, bands 95 %"))
+    title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
+                                      : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
                         .arg(axis.label()));
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
@@ -92,19 +112,26 @@ void EvidencePlot::drawMap(const ResidualMap& map, int colour) {
   const Look& look = Look::of(palette());
   const auto& evidence = *comparison_.evidence();
   const double x = shownAxis(evidence.axis, evidence.linear).scale, y = evidence.linear ? 1.0 : 1e3;
-  QCPGraph *low = plot_->addGraph(), *high = plot_->addGraph(), *line = plot_->addGraph();
+  QCPGraph* line = plot_->addGraph();
+  auto* bars = new QCPErrorBars(plot_->xAxis, plot_->yAxis);
+  bars->setDataPlottable(line);
+  const auto add = [&](double at, double mean, double half) {
+    line->addData(x * at, y * mean);
+    bars->addData(y * half);
+  };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (size_t k = 0; k < map.centre.size(); ++k) {
     if (!std::isfinite(map.mean[k])) continue;
-    const double half = std::isfinite(map.error[k]) ? normal95 * map.error[k] : 0.0;
-    low->addData(x * map.centre[k], y * (map.mean[k] - half));
-    high->addData(x * map.centre[k], y * (map.mean[k] + half));
-    line->addData(x * map.centre[k], y * map.mean[k]);
+    add(map.centre[k], map.mean[k], std::isfinite(map.error[k]) ? normal95 * map.error[k] : none);
+    if (k + 1 < map.centre.size() && !leadsOn(map, k)) add(map.centre[k], none, none);
   }
-  for (QCPGraph* edge : {low, high}) edge->setPen(Qt::NoPen);
-  high->setBrush(look.band(colour));
-  high->setChannelFillGraph(low);
-  line->setPen(QPen(look.curve(colour), 1.8));
-  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(colour), 5));
+  // The first bars are wide and pale, so that the second ones can be told from them at the same place.
+  bars->setPen(QPen(colour == 1 ? look.measured(colour) : look.curve(colour), colour == 1 ? wideBar_px : thinBar_px,
+                    Qt::SolidLine, Qt::FlatCap));
+  bars->setWhiskerWidth(0.0);
+  bars->setSymbolGap(0.0);
+  line->setPen(QPen(look.curve(colour), 1.2));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(colour), colour == 1 ? 8 : 6));
 }
 
 void EvidencePlot::read(double at) {

@@ -12,6 +12,10 @@ namespace breakaway {
 class Comparison;
 struct ResidualMap;
 
+/// Whether a line may lead from this cell to the next one: both have a mean, and lie as near as most cells do.
+bool leadsOn(const ResidualMap& map, size_t cell);
+
+/// Means of cells with their intervals as bars; a line joins only neighbours.
 class EvidencePlot : public QWidget {
   Q_OBJECT
 

@@ -17,6 +17,8 @@ class HarmonicsPlot : public QWidget {
   explicit HarmonicsPlot(QWidget* parent = nullptr);
   void show(const std::vector<MapCurve>& curves);
   using QWidget::show;
+  /// No curve is whole yet.
+  bool isEmpty() const { return curves_.empty(); }
 
  private:
   void draw();

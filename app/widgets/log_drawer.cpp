@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/controls.h"
 #include "widgets/look.h"
@@ -15,7 +16,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int drawerHeight = 168;
+constexpr int drawerHeight = 168, lineHeight = 24;
 }  // namespace
 
 LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), messages_(messages) {
@@ -33,12 +34,12 @@ LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), mes
   table_ = new QTableWidget(0, 2, this);
   table_->setObjectName("logTable");
   table_->setAccessibleName(tr("What was said so far"));
-  table_->setToolTip(tr("What was said so far, the newest on top"));
+  table_->setToolTip(tr("What was said so far, the newest on top; a chosen line is shown whole"));
   table_->horizontalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setColumnWidth(0, 80);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setDefaultSectionSize(lineHeight);
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -47,6 +48,7 @@ LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), mes
   connect(troubleOnly_, &QPushButton::toggled, this, &LogDrawer::fill);
   connect(copyAll, &QPushButton::clicked, this, &LogDrawer::copy);
   connect(close, &QPushButton::clicked, this, &LogDrawer::closed);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int before) { unfold(row, before); });
   connect(&messages_, &Messages::said, this, &LogDrawer::take);
   onNewLook(this, [this] { fill(); });
   fill();
@@ -74,6 +76,26 @@ void LogDrawer::addOnTop(const Messages::Line& line) {
 void LogDrawer::fill() {
   table_->setRowCount(0);
   for (const Messages::Line& line : messages_.lines()) addOnTop(line);
+}
+
+/// A chosen line has all the room that it needs.
+void LogDrawer::unfold(int row, int before) {
+  if (before >= 0 && before < table_->rowCount()) table_->setRowHeight(before, lineHeight);
+  if (row < 0) return;
+  table_->resizeRowToContents(row);
+  table_->setRowHeight(row, std::max(lineHeight, table_->rowHeight(row)));
+}
+
+void LogDrawer::showLine(const QString& text) {
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    if (table_->item(row, 1)->text() != text) continue;
+    table_->setCurrentCell(row, 1);
+    table_->scrollToItem(table_->item(row, 1));
+    return;
+  }
+  if (!troubleOnly_->isChecked()) return;
+  troubleOnly_->setChecked(false);  // it hid the line
+  showLine(text);
 }
 
 void LogDrawer::copy() const {

@@ -16,6 +16,8 @@ class LogDrawer : public QWidget {
 
  public:
   explicit LogDrawer(Messages& messages, QWidget* parent = nullptr);
+  /// Chooses the newest line of this text, so that all of it can be read.
+  void showLine(const QString& text);
 
  signals:
   void closed();
@@ -28,6 +30,7 @@ class LogDrawer : public QWidget {
   void addOnTop(const Messages::Line& line);
   void fill();
   void copy() const;
+  void unfold(int row, int before);
 
   Messages& messages_;
   QTableWidget* table_ = nullptr;

@@ -52,6 +52,20 @@ QLabel* legendIn(QWidget* parent, const char* objectName) {
   return legend;
 }
 
+/// Over the plot of a card, as long as there is nothing to draw: what brings it.
+QLabel* hintOver(QFrame* frame, QWidget* plot, const char* objectName, const QString& words) {
+  auto* place = new QGridLayout;
+  auto* hint = explanation(frame, words, objectName);
+  hint->setAlignment(Qt::AlignCenter);
+  hint->setProperty("tone", "muted");
+  hint->setTextInteractionFlags(Qt::NoTextInteraction);
+  hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  place->addWidget(plot, 0, 0);
+  place->addWidget(hint, 0, 0);
+  columnOf(frame)->addLayout(place, 1);
+  return hint;
+}
+
 }  // namespace
 
 MapPanel::MapPanel(QWidget* parent) : QWidget(parent) {
@@ -139,12 +153,15 @@ QWidget* MapPanel::buildRotor() {
   twinQuantity_ = new ElidedLabel("twinQuantity", twin);
   twin_ = new TravelPlot("twinPlot", TravelPlot::Places::turn, twin);
   columnOf(twin)->addWidget(twinQuantity_);
-  columnOf(twin)->addWidget(twin_, 1);
+  twinHint_ = hintOver(twin, twin_, "twinHint",
+                       tr("The same curves over the angle, from the first breakaways on: Run breakaway sweep"));
   auto* orders = plotCard(side_);
   harmonicsTitle_ = new ElidedLabel("harmonicsQuantity", orders);
   columnOf(orders)->addWidget(harmonicsTitle_);
   harmonics_ = new HarmonicsPlot(orders);
-  columnOf(orders)->addWidget(harmonics_, 1);
+  harmonicsHint_ = hintOver(orders, harmonics_, "harmonicsHint",
+                            tr("How often a turn the friction rises, as from poles or a shaft off its centre: comes "
+                               "with the first whole turn"));
   column->addWidget(twin, 1);
   column->addWidget(orders, 1);
   row->addWidget(side_);
@@ -234,6 +251,8 @@ void MapPanel::showBeside(const MapPicture& picture) {
   twin_->show(curves, {}, picture.unit);
   std::erase_if(curves, [](const MapCurve& curve) { return curve.part != MapPart::shown; });
   harmonics_->show(curves);
+  twinHint_->setVisible(twin_->curves().empty());
+  harmonicsHint_->setVisible(harmonics_->isEmpty());
 }
 
 void MapPanel::layBeneath(const std::optional<FrictionMap>& earlier) {

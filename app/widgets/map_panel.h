@@ -67,6 +67,8 @@ class MapPanel : public QWidget {
   TravelPlot* twin_ = nullptr;
   TravelPlot* travel_ = nullptr;
   HarmonicsPlot* harmonics_ = nullptr;
+  QLabel* twinHint_ = nullptr;
+  QLabel* harmonicsHint_ = nullptr;
   QLabel* quantity_ = nullptr;
   QLabel* twinQuantity_ = nullptr;
   QLabel* harmonicsTitle_ = nullptr;

@@ -5,10 +5,6 @@
 
 namespace breakaway {
 
-namespace {
-constexpr int leastPage_px = 1112;  // what a page has on the smallest screen, beside the rail
-}
-
 PageRoom::PageRoom(QWidget* page, QWidget* parent) : QScrollArea(parent) {
   setObjectName("pageRoom");
   setFocusPolicy(Qt::NoFocus);
@@ -21,11 +17,16 @@ PageRoom::PageRoom(QWidget* page, QWidget* parent) : QScrollArea(parent) {
 
 void PageRoom::setScrolls(bool scrolls) {
   scrolls_ = scrolls;
-  widget()->setMinimumWidth(scrolls ? leastPage_px : 0);
+  widget()->setMinimumWidth(scrolls ? least_px_ : 0);
   const auto policy = scrolls ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff;
   setHorizontalScrollBarPolicy(policy);
   setVerticalScrollBarPolicy(policy);
   updateGeometry();
+}
+
+void PageRoom::setLeast(int width_px) {
+  least_px_ = width_px;
+  setScrolls(scrolls_);
 }
 
 QSize PageRoom::sizeHint() const {

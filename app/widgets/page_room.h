@@ -12,6 +12,8 @@ class PageRoom : public QScrollArea {
  public:
   explicit PageRoom(QWidget* page, QWidget* parent = nullptr);
   void setScrolls(bool scrolls);
+  /// How narrow the page that is shown may become before it scrolls.
+  void setLeast(int width_px);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -20,6 +22,7 @@ class PageRoom : public QScrollArea {
 
  private:
   bool scrolls_ = false;
+  int least_px_ = 0;
 };
 
 }  // namespace breakaway

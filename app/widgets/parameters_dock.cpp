@@ -22,6 +22,7 @@ namespace {
 enum Column { tickColumn, nameColumn, boardColumn, editedColumn, beforeColumn, profileColumn, rangeColumn };
 constexpr int columnWidths[] = {28, 0, 66, 74, 66, 76, 82};  // the name takes what is left
 constexpr int digits = 4, mostDigits = 9, noteLines = 4, applyWidth = 144;
+constexpr int wide_px = 652, narrow_px = 424, wideFrom_px = 1700;  // the dock; from this window on it is wide
 
 /// As many digits as tell it from what the board has.
 QString valueText(double value, double other) {
@@ -51,7 +52,7 @@ ParametersDock::ParametersDock(Connection& connection, SettingsEdits& edits, Fil
   setObjectName("parametersDock");
   setProperty("role", "rail");
   setAttribute(Qt::WA_StyledBackground);
-  setFixedWidth(width_px);
+  setFixedWidth(narrow_px);
   auto* column = columnIn(this, 8, {16, 12, 16, 12});
   column->addWidget(buildHead());
   column->addWidget(buildTools());
@@ -68,8 +69,7 @@ QWidget* ParametersDock::buildHead() {
   auto* group = new QWidget(this);
   auto* row = rowIn(group, 8);
   row->addWidget(section(group, tr("Parameters")));
-  source_ = new ElidedLabel("parametersSource", group);
-  row->addWidget(source_, 1);
+  row->addStretch(1);
   auto* close = pushButton(group, "parametersClose", tr("Close"), tr("Close the parameters; edits stay (Ctrl+P)"));
   row->addWidget(close);
   connect(close, &QPushButton::clicked, this, &ParametersDock::closed);
@@ -78,7 +78,11 @@ QWidget* ParametersDock::buildHead() {
 
 QWidget* ParametersDock::buildTools() {
   auto* group = new QWidget(this);
-  auto* row = rowIn(group, 4);
+  auto* column = columnIn(group, 8);
+  auto* row = new QHBoxLayout;
+  auto* profile = new QHBoxLayout;
+  source_ = new ElidedLabel("parametersSource", group);
+  profile->addWidget(source_, 1);
   undo_ = pushButton(group, "parametersUndo", tr("Undo"));
   redo_ = pushButton(group, "parametersRedo", tr("Redo"));
   revert_ = pushButton(group, "parametersRevert", tr("Revert"));
@@ -87,7 +91,11 @@ QWidget* ParametersDock::buildTools() {
   take_ = pushButton(group, "parametersTakeProfile", tr("Take ticked"));
   for (QPushButton* one : {undo_, redo_, revert_, revertAll_}) row->addWidget(one);
   row->addStretch(1);
-  for (QPushButton* one : {open_, take_}) row->addWidget(one);
+  for (QPushButton* one : {open_, take_}) profile->addWidget(one);
+  for (QHBoxLayout* one : {row, profile}) {
+    one->setSpacing(4);
+    column->addLayout(one);
+  }
   connect(undo_, &QPushButton::clicked, &edits_, &SettingsEdits::undo);
   connect(redo_, &QPushButton::clicked, &edits_, &SettingsEdits::redo);
   connect(revert_, &QPushButton::clicked, this, [this] { edits_.revert(settingOf(table_->currentRow())); });
@@ -144,6 +152,18 @@ QWidget* ParametersDock::buildFoot() {
   return group;
 }
 
+void ParametersDock::fitIn(int window_px) {
+  narrow_ = window_px < wideFrom_px;
+  setFixedWidth(narrow_ ? narrow_px : wide_px);
+  showColumns();
+}
+
+void ParametersDock::showColumns() {
+  table_->setColumnHidden(beforeColumn, narrow_);
+  table_->setColumnHidden(rangeColumn, narrow_);
+  table_->setColumnHidden(profileColumn, narrow_ && !edits_.profile());
+}
+
 SettingsEdits::Setting ParametersDock::settingOf(int row) const {
   return profileParameters()[static_cast<size_t>(row)].value;
 }
@@ -156,6 +176,7 @@ void ParametersDock::fill() {
   const QSignalBlocker quiet(table_);
   for (int row = 0; row < table_->rowCount(); ++row) fillRow(row);
   source_->setText(edits_.profileSource());
+  showColumns();
   showAvailable();
   explain();
 }

@@ -21,7 +21,9 @@ class ParametersDock : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int width_px = 652;
+  /// Narrow in a narrow window, so that the page beside it can be used: without what the board had at first, the
+  /// ranges, which stand under the table for the chosen row, and the profile as long as none is open.
+  void fitIn(int window_px);
 
   ParametersDock(Connection& connection, SettingsEdits& edits, FileChooser& files, QWidget* parent = nullptr);
 
@@ -42,6 +44,7 @@ class ParametersDock : public QWidget {
   bool canTick(int row) const;
   /// The settings that are ticked and can be.
   std::vector<SettingsEdits::Setting> ticked() const;
+  void showColumns();
   void showAvailable();
   void explain(const QString& trouble = {});
   QString obstacle() const;
@@ -50,6 +53,7 @@ class ParametersDock : public QWidget {
   Connection& connection_;
   SettingsEdits& edits_;
   FileChooser& files_;
+  bool narrow_ = true;
   std::set<int> unticked_;  ///< rows that somebody has taken the tick from
   QTableWidget* table_ = nullptr;
   QPushButton* undo_ = nullptr;

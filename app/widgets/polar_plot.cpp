@@ -81,7 +81,9 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
   axis_->setRangeDrag(false);
   axis_->setRangeZoom(false);
   axis_->setRange(0.0, 360.0);
-  axis_->setMinimumMargins(QMargins(34, 20, 34, 20));
+  // Labels along the circle leave it more room than upright ones.
+  axis_->setTickLabelMode(QCPPolarAxisAngular::lmRotated);
+  axis_->setMinimumMargins(QMargins(18, 18, 18, 18));
   axis_->setAngle(0.0);  // zero to the right and growing counter-clockwise, as on the dial
   axis_->setRangeReversed(true);
   axis_->setTicker(QSharedPointer<DegreeTicker>::create(30.0));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int rowHeight = 52, markSize = 18, markLeft = 16, textLeft = 44, edge = 3;
 
-enum Role { markRole = Qt::UserRole, wordsRole, toolRole };
+enum Role { markRole = Qt::UserRole, wordsRole, toolRole, tipRole };
 
 class RailRow : public QStyledItemDelegate {
  public:
@@ -117,6 +117,7 @@ Rail::Rail(QWidget* parent) : QListWidget(parent) {
 void Rail::add(const QString& title, const QString& tip, bool tool) {
   auto* item = new QListWidgetItem(title, this);
   item->setData(toolRole, tool);
+  item->setData(tipRole, tip);
   item->setToolTip(tip);
 }
 
@@ -125,6 +126,8 @@ void Rail::setState(int row, const StepState& state) {
   one->setData(markRole, static_cast<int>(state.mark));
   one->setData(wordsRole, state.words);
   one->setData(Qt::AccessibleDescriptionRole, state.words);
+  const QString tip = one->data(tipRole).toString();  // whole, what the row may have no room for
+  one->setToolTip(state.words.isEmpty() ? tip : state.words + "\n" + tip);
 }
 
 int Rail::rowsHeight_px() const {

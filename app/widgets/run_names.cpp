@@ -13,6 +13,8 @@ QString nameOf(RunKind kind) {
       return translated(QT_TRANSLATE_NOOP("RunName", "Driven by hand"));
     case RunKind::step:
       return translated(QT_TRANSLATE_NOOP("RunName", "Velocity step"));
+    case RunKind::positionStep:
+      return translated(QT_TRANSLATE_NOOP("RunName", "Position step"));
     case RunKind::wiring:
       return translated(QT_TRANSLATE_NOOP("RunName", "Wiring check"));
     case RunKind::identification:

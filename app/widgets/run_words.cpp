@@ -1,7 +1,6 @@
 #include "widgets/run_words.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QStringList>
 
 #include "widgets/parameter_words.h"
@@ -14,15 +13,6 @@ struct RunInWords {
   const char* name;
   const char* words;
 };
-
-constexpr RunInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
-                                    {"map", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
-                                    {"identification", QT_TRANSLATE_NOOP("RunWords", "Motor")},
-                                    {"diagnosis", QT_TRANSLATE_NOOP("RunWords", "Diagnosis")},
-                                    {"recording", QT_TRANSLATE_NOOP("RunWords", "Recording")},
-                                    {"tuning", QT_TRANSLATE_NOOP("RunWords", "Tuning")},
-                                    {"batch", QT_TRANSLATE_NOOP("RunWords", "Batch")},
-                                    {"files", QT_TRANSLATE_NOOP("RunWords", "Files")}};
 
 constexpr RunInWords verdictWords[] = {{"nothing_missing", QT_TRANSLATE_NOOP("RunWords", "nothing missing")},
                                        {"named", QT_TRANSLATE_NOOP("RunWords", "named")},
@@ -59,20 +49,6 @@ QString headlineOf(const QString& name, const RunValue& value) {
 }
 
 }  // namespace
-
-QString kindInWords(const std::string& kind) {
-  return wordsFor(kindWords, kind);
-}
-
-QString timeInWords(const ProjectRun& run) {
-  const QDateTime at = QDateTime::fromString(QString::fromStdString(run.at), Qt::ISODate);
-  return at.isValid() ? at.toLocalTime().toString("yyyy-MM-dd HH:mm") : QString::fromStdString(run.at);
-}
-
-QString titleOf(const ProjectRun& run) {
-  const QString title = runText(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
-  return run.name.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(run.name));
-}
 
 QString resultInWords(const ProjectRun& run) {
   if (run.state == RunState::recording) return runText(QT_TRANSLATE_NOOP("RunWords", "being recorded"));

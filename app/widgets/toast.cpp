@@ -89,7 +89,7 @@ Toast::Toast(Messages& messages, QWidget* parent) : QWidget(parent) {
 void Toast::take(const QString& text, bool trouble) {
   trouble_ = trouble;
   text_->setText(text);
-  setToolTip(tr("%1\nOpens the log").arg(text));
+  setToolTip(tr("%1\nClick: shows it in the log").arg(text));
   dressAs(text_, "tone", trouble ? "trouble" : QString());
   place();
   show();
@@ -123,7 +123,7 @@ void Toast::paintEvent(QPaintEvent*) {
 
 void Toast::mousePressEvent(QMouseEvent*) {
   hide();
-  emit clicked();
+  emit clicked(text_->text());
 }
 
 }  // namespace breakaway

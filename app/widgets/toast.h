@@ -21,7 +21,7 @@ class Toast : public QWidget {
   void keepIn(const QRect& room);
 
  signals:
-  void clicked();
+  void clicked(const QString& text);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -76,11 +76,12 @@ Result<void> Project::mendRecordings() {
     const std::string why = mended ? mended->why : "a kill or a loss of power, before anything was recorded";
     const auto ended = endRecording(run, why);
     if (!ended) {  // the disk may be full, or another's: the project can be read all the same
-      said_.push_back(ended.error().message() + "; the recording " + run.id + " was cut short and is not mended yet");
+      said_.push_back(ended.error().message() + "; the recording of " + run.at +
+                      " was cut short and is not mended yet");
       continue;
     }
     said_.push_back(
-        fmt::format("{}: the recording {} was cut short and is mended: {}", folder_, run.id, ended->verdict));
+        fmt::format("{}: the recording of {} was cut short and is mended: {}", folder_, run.at, ended->verdict));
   }
   return {};
 }

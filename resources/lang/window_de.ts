@@ -798,6 +798,10 @@
         <source>Experiment</source>
         <translation>Versuch</translation>
     </message>
+    <message>
+        <source>Position step</source>
+        <translation>Lagesprung</translation>
+    </message>
 </context>
 <context>
     <name>RunState</name>
@@ -1023,8 +1027,8 @@
         <translation>Nichts kann aufbewahrt werden: %1</translation>
     </message>
     <message>
-        <source>%1 is in the project, as run %2</source>
-        <translation>%1 ist im Projekt, als Lauf %2</translation>
+        <source>Kept in the project: %1</source>
+        <translation>Im Projekt: %1</translation>
     </message>
 </context>
 <context>
@@ -1046,16 +1050,16 @@
         <translation>Erst die Referenzfahrt: die Enden des Wegs sind noch nicht bekannt</translation>
     </message>
     <message>
-        <source>Home first: a step in velocity needs room, and the ends are not known yet</source>
-        <translation>Erst die Referenzfahrt: ein Geschwindigkeitssprung braucht Platz, und die Enden sind noch nicht bekannt</translation>
-    </message>
-    <message>
         <source>No board is connected</source>
         <translation>Kein Board ist verbunden</translation>
     </message>
     <message>
         <source>Tuning</source>
         <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Home first: a step needs room, and the ends are not known yet</source>
+        <translation>Erst die Referenzfahrt: ein Sprung braucht Platz, und die Enden sind noch nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -1368,10 +1372,6 @@
     <message>
         <source>%1, %2 s to %3 s</source>
         <translation>%1, %2 s bis %3 s</translation>
-    </message>
-    <message>
-        <source>The visible part</source>
-        <translation>Der sichtbare Ausschnitt</translation>
     </message>
     <message>
         <source>linear</source>
@@ -1921,14 +1921,6 @@
         <translation>Das Restmoment über der Achse des Befunds kommt mit der Diagnose</translation>
     </message>
     <message>
-        <source>Residual force (N) over %1, unseen data, bands 95 %</source>
-        <translation>Restkraft (N) über %1, ungesehene Daten, Bänder 95 %</translation>
-    </message>
-    <message>
-        <source>Residual torque (mNm) over %1, unseen data, bands 95 %</source>
-        <translation>Restmoment (mNm) über %1, ungesehene Daten, Bänder 95 %</translation>
-    </message>
-    <message>
         <source>too little data</source>
         <translation>zu wenig Daten</translation>
     </message>
@@ -1943,6 +1935,14 @@
     <message>
         <source>with findings</source>
         <translation>mit Befunden</translation>
+    </message>
+    <message>
+        <source>Residual force (N) over %1, unseen data, bars 95 %</source>
+        <translation>Restkraft (N) über %1, ungesehene Daten, Balken 95 %</translation>
+    </message>
+    <message>
+        <source>Residual torque (mNm) over %1, unseen data, bars 95 %</source>
+        <translation>Restmoment (mNm) über %1, ungesehene Daten, Balken 95 %</translation>
     </message>
 </context>
 <context>
@@ -2121,14 +2121,6 @@
         <translation>Reibung rund um den Rotor</translation>
     </message>
     <message>
-        <source>The force at which the axis breaks away at every place, both ways; and what keeps it moving.</source>
-        <translation>Was die Achse an jedem Ort losbricht und in Bewegung hält, in beiden Richtungen.</translation>
-    </message>
-    <message>
-        <source>The torque at which the rotor breaks away at every angle, both ways; and what keeps it moving.</source>
-        <translation>Was den Rotor an jedem Winkel losbricht und in Bewegung hält, in beiden Richtungen.</translation>
-    </message>
-    <message>
         <source> rad/s</source>
         <translation> rad/s</translation>
     </message>
@@ -2187,10 +2179,6 @@
     <message>
         <source>Tunes the controller for the motor as it is known now, leaves it so, and goes slowly to and fro without and with the measured friction compensated.</source>
         <translation>Stellt den Regler für den Motor ein, wie er jetzt bekannt ist, lässt ihn so, und fährt langsam hin und her, ohne und mit Kompensation der gemessenen Reibung.</translation>
-    </message>
-    <message>
-        <source>Continue (%1 of %2)</source>
-        <translation>Fortsetzen (%1 von %2)</translation>
     </message>
     <message>
         <source>Forgets what the interrupted sweeps have measured; the motor stays known.</source>
@@ -2259,6 +2247,30 @@
     <message>
         <source>rms, going slowly to and fro, tuned for use</source>
         <translation>effektiv, langsam hin und her, eingestellt zum Gebrauch</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>The force that breaks the axis away at every place, and what keeps it moving.</source>
+        <translation>Was die Achse an jedem Ort losbricht, und was sie in Bewegung hält.</translation>
+    </message>
+    <message>
+        <source>The torque that breaks the rotor away at every angle, and what keeps it moving.</source>
+        <translation>Was den Rotor bei jedem Winkel losbricht, und was ihn in Bewegung hält.</translation>
+    </message>
+    <message>
+        <source>A sweep is unfinished: Continue goes on with it, Start anew forgets it</source>
+        <translation>Eine Fahrt ist unvollendet: Fortsetzen führt sie weiter, Neu beginnen vergisst sie</translation>
+    </message>
+    <message>
+        <source>Goes on with the sweep: %1 of %2 are measured.</source>
+        <translation>Führt die Fahrt weiter: %1 von %2 sind gemessen.</translation>
+    </message>
+    <message>
+        <source>The sweep began with other settings; Run breakaway sweep begins anew with these</source>
+        <translation>Die Fahrt begann mit anderen Einstellungen; Losbrechfahrt beginnt mit diesen neu</translation>
     </message>
 </context>
 <context>
@@ -2757,21 +2769,6 @@
     </message>
 </context>
 <context>
-    <name>breakaway::KeptResults</name>
-    <message>
-        <source>The friction map</source>
-        <translation>Die Reibungskarte</translation>
-    </message>
-    <message>
-        <source>The motor</source>
-        <translation>Der Motor</translation>
-    </message>
-    <message>
-        <source>The diagnosis</source>
-        <translation>Die Diagnose</translation>
-    </message>
-</context>
-<context>
     <name>breakaway::LiveCursors</name>
     <message>
         <source>Δt %1 s   A %2 s   B %3 s</source>
@@ -2820,12 +2817,12 @@
         <translation>%1 Messwerte aufgezeichnet</translation>
     </message>
     <message>
-        <source>%1, then %2; the recording is kept as run %3</source>
-        <translation>%1, dann %2; die Aufzeichnung bleibt als Lauf %3 erhalten</translation>
-    </message>
-    <message>
         <source>The recording is written to %1</source>
         <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1, then %2. Kept in the project: %3</source>
+        <translation>%1, dann %2. Im Projekt: %3</translation>
     </message>
 </context>
 <context>
@@ -3134,8 +3131,8 @@
         <translation>Was bisher gesagt wurde</translation>
     </message>
     <message>
-        <source>What was said so far, the newest on top</source>
-        <translation>Was bisher gesagt wurde, das Neueste oben</translation>
+        <source>What was said so far, the newest on top; a chosen line is shown whole</source>
+        <translation>Was bisher gesagt wurde, das Neueste oben; eine gewählte Zeile steht ganz da</translation>
     </message>
 </context>
 <context>
@@ -3439,6 +3436,14 @@
     <message>
         <source>the map begins after homing</source>
         <translation>die Karte beginnt nach der Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>The same curves over the angle, from the first breakaways on: Run breakaway sweep</source>
+        <translation>Dieselben Kurven über dem Winkel, ab den ersten Losbrechungen: Losbrechfahrt fahren</translation>
+    </message>
+    <message>
+        <source>How often a turn the friction rises, as from poles or a shaft off its centre: comes with the first whole turn</source>
+        <translation>Wie oft je Umdrehung die Reibung steigt, etwa durch Pole oder eine schiefe Welle: kommt mit der ersten ganzen Umdrehung</translation>
     </message>
 </context>
 <context>
@@ -4217,10 +4222,6 @@
         <translation>%1 %2 mit 95 % Sicherheit</translation>
     </message>
     <message>
-        <source>Run %1: %2</source>
-        <translation>Lauf %1: %2</translation>
-    </message>
-    <message>
         <source>Choose a run first</source>
         <translation>Erst einen Lauf wählen</translation>
     </message>
@@ -4291,6 +4292,10 @@
     <message>
         <source>Recording (*.csv)</source>
         <translation>Aufzeichnung (*.csv)</translation>
+    </message>
+    <message>
+        <source>Folder: %1</source>
+        <translation>Ordner: %1</translation>
     </message>
 </context>
 <context>
@@ -4433,9 +4438,9 @@ den seine Einstellungen ergeben</translation>
     </message>
     <message>
         <source>%1
-Opens the log</source>
+Click: shows it in the log</source>
         <translation>%1
-Öffnet das Log</translation>
+Klick: zeigt es im Log</translation>
     </message>
 </context>
 <context>
@@ -4813,10 +4818,6 @@ A</translation>
         <translation>Sprung %1</translation>
     </message>
     <message>
-        <source>Forget all measured steps</source>
-        <translation>Alle gemessenen Sprünge vergessen</translation>
-    </message>
-    <message>
         <source>No step was measured</source>
         <translation>Kein Sprung wurde gemessen</translation>
     </message>
@@ -4835,10 +4836,6 @@ A</translation>
     <message>
         <source>Position step</source>
         <translation>Lagesprung</translation>
-    </message>
-    <message>
-        <source>The step in position that is foretold; nothing moves</source>
-        <translation>Der Lagesprung, der vorausgesagt wird; nichts bewegt sich</translation>
     </message>
     <message>
         <source>Position (mm)</source>
@@ -4867,10 +4864,6 @@ A</translation>
     <message>
         <source>This board takes no position commands</source>
         <translation>Dieses Board nimmt keine Lagebefehle an</translation>
-    </message>
-    <message>
-        <source>Steps of speed are measured; Drive by hand goes by an angle</source>
-        <translation>Gemessen werden Sprünge der Geschwindigkeit; „Von Hand fahren“ fährt um einen Winkel</translation>
     </message>
     <message>
         <source>Foretold, or which measured one</source>
@@ -4903,6 +4896,18 @@ A</translation>
     <message>
         <source>Highest current</source>
         <translation>Höchster Strom</translation>
+    </message>
+    <message>
+        <source>From where it stands to a place so far from there</source>
+        <translation>Von da, wo sie steht, zu einem Ort so weit davon</translation>
+    </message>
+    <message>
+        <source>Holds the shaft for 0.8 s, then the step, measured and let go, with what the board has now</source>
+        <translation>Hält die Welle 0,8 s, dann der Sprung, gemessen und losgelassen, mit dem, was das Board jetzt hat</translation>
+    </message>
+    <message>
+        <source>Forget all measured steps, of both loops</source>
+        <translation>Alle gemessenen Sprünge vergessen, beider Kreise</translation>
     </message>
 </context>
 <context>

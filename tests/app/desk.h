@@ -41,7 +41,8 @@ struct Desk {
     window.showPage("frictionPage");
     named<QSpinBox>(window, "bins")->setValue(bins);
     named<QSpinBox>(window, "turns")->setValue(turns);
-    press(window, "breakawaySweepButton");
+    const bool goesOn = named<QWidget>(window, "continueSweepButton")->isEnabled();
+    press(window, goesOn ? "continueSweepButton" : "breakawaySweepButton");
   }
   /// Whether a sweep's map came to its end, and was drawn while it grew.
   bool mapGrows() {

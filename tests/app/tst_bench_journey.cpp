@@ -153,6 +153,11 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   format->setCurrentIndex(format->findData("csv"));
   QVERIFY(!named<QWidget>(desk.window, "exportMapButton")->isEnabled());
   QVERIFY(named<QWidget>(desk.window, "exportMapButton")->toolTip().contains("no map yet"));
+  // What goes on and what begins are two buttons: neither changes its meaning under the pointer.
+  QVERIFY(named<QWidget>(desk.window, "continueSweepButton")->isEnabled());
+  QVERIFY(!named<QWidget>(desk.window, "breakawaySweepButton")->isEnabled());
+  named<QSpinBox>(desk.window, "bins")->setValue(36);
+  QVERIFY(!named<QWidget>(desk.window, "continueSweepButton")->isEnabled());
   QVERIFY(named<QWidget>(desk.window, "breakawaySweepButton")->isEnabled());
 }
 
@@ -176,6 +181,8 @@ void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
   const auto& events = desk.session.bench.known().breakaways;
   QVERIFY(events.size() + desk.session.bench.known().missed == 192);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
+  QTRY_VERIFY(named<QWidget>(desk.window, "breakawaySweepButton")->isEnabled());
+  QVERIFY(!named<QWidget>(desk.window, "continueSweepButton")->isEnabled());  // a second click begins nothing
 }
 
 void TestBenchJourney::slider_changesTheBoardAndTheStep() {

@@ -92,7 +92,7 @@ void TestOnADisplay::newcomer_exportsAMap() {
   const size_t kept = desk.session.bench.known().breakaways.size();
   QVERIFY(kept >= 3 && !desk.session.bench.known().knows(Known::map));
   desk.session.connection.setPace(hurried);
-  hand.click("breakawaySweepButton");
+  hand.click("continueSweepButton");
   QVERIFY(until([&] { return desk.session.bench.known().knows(Known::map) && !connection.run().running(); }));
   QVERIFY(desk.session.bench.known().breakaways.size() > kept);
   const QTemporaryDir folder;

@@ -82,7 +82,7 @@ int goOn(const QString& folder) {
   if (!QTest::qWaitFor([&] { return !bench.known().breakaways.empty(); }, 5000)) return 1;
   std::printf("took up %zu\n", bench.known().breakaways.size());
   desk.window.showPage("frictionPage");
-  press(desk.window, "breakawaySweepButton");
+  press(desk.window, "continueSweepButton");
   if (!QTest::qWaitFor([&] { return bench.known().knows(Known::map) && !desk.session.connection.run().running(); },
                        patience_ms))
     return 1;
