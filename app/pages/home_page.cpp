@@ -33,6 +33,10 @@ double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
 }
 
+double withinATurn_deg(double angle_rad) {
+  return degrees(angle_rad - turn_rad * std::floor(angle_rad / turn_rad));
+}
+
 }  // namespace
 
 HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent)
@@ -128,8 +132,8 @@ std::vector<Fact> HomePage::travelFacts() const {
 std::vector<Fact> HomePage::indexFacts() const {
   const auto index = bench_.index_rad();
   if (!index) return {{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}};
-  return {{tr("Index"), tr("%1°").arg(degrees(index->value), 0, 'f', 3),
-           tr("In the board's own angle; mean over the passes")},
+  return {{tr("Index"), tr("%1°").arg(withinATurn_deg(index->value), 0, 'f', 3),
+           tr("In the board's own angle, whole turns left out; mean over the passes")},
           {tr("Interval"), tr("± %1° (95 %)").arg(numberText(degrees(normal95 * index->standardError), 2)), {}},
           {tr("Encoder count"), tr("%1°").arg(numberText(360.0 / connection_.identity().countsPerRev)), {}}};
 }

@@ -211,9 +211,11 @@ void BoardBar::showRun() {
     // "idle, windings open": what the line beneath says as well is left out.
     const QString words = connection_.stateWords().section(", ", 0, 0);
     run_->setText(words.left(1).toUpper() + words.mid(1));
-    activity_->setText(!connection_.connected() ? tr("choose a board on the first page")
-                       : connection_.powered()  ? tr("STOP opens the windings")
-                                                : tr("windings open"));
+    const bool again = connection_.state() == ConnectionState::reconnecting;
+    activity_->setText(again                      ? tr("tries again every second, motor off")
+                       : !connection_.connected() ? tr("choose a board on the first page")
+                       : connection_.powered()    ? tr("STOP opens the windings")
+                                                  : tr("windings open"));
     progress_->hide();
     left_->setText({});
     end_->hide();

@@ -64,7 +64,6 @@ QWidget* ComparedPlots::buildRow() {
   axis_ = new QComboBox(group);
   axis_->setObjectName("residualAxis");
   axis_->setAccessibleName(tr("Axis of the residual"));
-  axis_->setToolTip(tr("Over what the residual is drawn. Drag and wheel zoom in time."));
   const std::pair<const char*, QString> axes[] = {{"time", tr("time")},
                                                   {"angle", tr("angle")},
                                                   {"velocity", tr("velocity")},
@@ -109,6 +108,8 @@ void ComparedPlots::arrange() {
   setAvailable(evidenceChip_, diagnosed, tr("What is left over the finding's own axis, before and after"),
                tr("Comes with the diagnosis: press Diagnose"));
   (evidence ? evidenceChip_ : motionChip_)->setChecked(true);
+  setAvailable(axis_, motion, tr("Over what the residual is drawn. Drag and wheel zoom in time."),
+               tr("The evidence lies over its finding's own axis; Motion and residual is drawn over any"));
   // One goes before the other comes: together they may ask for more room than there is.
   if (!evidence) evidence_->hide();
   if (!motion) motion_->hide();

@@ -1200,6 +1200,10 @@
         <source>done at %1</source>
         <translation>fertig um %1</translation>
     </message>
+    <message>
+        <source>tries again every second, motor off</source>
+        <translation>versucht es jede Sekunde wieder, Motor aus</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::BoardList</name>
@@ -1587,6 +1591,10 @@
     <message>
         <source>Comes with the diagnosis: press Diagnose</source>
         <translation>Kommt mit „Diagnose starten“</translation>
+    </message>
+    <message>
+        <source>The evidence lies over its finding&apos;s own axis; Motion and residual is drawn over any</source>
+        <translation>Der Beleg liegt über der Achse seines Befunds; Bewegung und Rest gibt es über jeder</translation>
     </message>
 </context>
 <context>
@@ -2550,10 +2558,6 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>In the board&apos;s own angle; mean over the passes</source>
-        <translation>Im Winkel des Boards; Mittel der Überfahrten</translation>
-    </message>
-    <message>
         <source>± %1° (95 %)</source>
         <translation>± %1° (95 %)</translation>
     </message>
@@ -2600,6 +2604,10 @@
     <message>
         <source>It runs over the whole travel to see the index once and only once, and passes it slowly from below three times.</source>
         <translation>Sie fährt über den ganzen Weg, um den Index genau einmal zu sehen, und überfährt ihn dreimal langsam von unten.</translation>
+    </message>
+    <message>
+        <source>In the board&apos;s own angle, whole turns left out; mean over the passes</source>
+        <translation>Im eigenen Winkel des Boards, ohne ganze Umdrehungen; Mittel über die Durchgänge</translation>
     </message>
 </context>
 <context>

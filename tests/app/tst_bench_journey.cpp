@@ -32,6 +32,7 @@ class TestBenchJourney : public QObject {
   void stopDuringSweep_keepsWhatWasMeasured();
   void stoppedSweep_goesOnWhereItEnded();
   void slider_changesTheBoardAndTheStep();
+  void positionStep_isMeasuredAsItWasForetold();
   void measuredImprovement_wasForetold();
   void clicks_areAsTheManualCounts();
   void stiffnessButton_tunesAndSaysItsMargins();
@@ -215,6 +216,26 @@ void TestBenchJourney::slider_changesTheBoardAndTheStep() {
   QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 3);  // what is foretold, and both
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+}
+
+void TestBenchJourney::positionStep_isMeasuredAsItWasForetold() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  const auto* page = named<TunePage>(desk.window, "tunePage");
+  press(desk.window, "positionLoopTab");
+  QVERIFY(QTest::qWaitFor([&] { return page->preview().figures.rise_s > 0.0; }, patience_ms));
+  const double foretold_s = page->preview().figures.rise_s;
+  press(desk.window, "measureStepButton");
+  const auto& steps = desk.session.bench.steps();
+  QVERIFY(QTest::qWaitFor([&] { return !steps.empty(); }, patience_ms));
+  QCOMPARE(steps[0].kind, RunKind::positionStep);
+  QVERIFY2(steps[0].figures.rise_s > 0.8 * foretold_s && steps[0].figures.rise_s < 1.2 * foretold_s,
+           qPrintable(QString("foretold %1 s, measured %2 s").arg(foretold_s).arg(steps[0].figures.rise_s)));
+  const auto* table = named<QTableWidget>(desk.window, "stepTable");
+  QCOMPARE(table->rowCount(), 2);  // what is foretold, and it
+  press(desk.window, "velocityLoopTab");
+  QCOMPARE(table->rowCount(), 1);  // it is no step of speed
 }
 
 void TestBenchJourney::measuredImprovement_wasForetold() {

@@ -3,6 +3,7 @@
 
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTableWidget>
 
 #include "app/desk.h"
 #include "app/rendered_tree.h"
@@ -22,6 +23,8 @@ class TestKept : public QObject {
   void initTestCase();
   void linkLostWhileRecording_leavesPlotsAndRecording();
   void message_hidesNothingAndIsWhole();
+  void messageThatIsClicked_isShownWholeInTheLog();
+  void doubleClick_doesNotPressWhatTheButtonHasBecome();
   void windowClosedWhileRecording_leavesTheRecording();
   void closing_asksOnlyWhileTheMotorTurns();
   void finishedMap_isInTheProject();
@@ -147,11 +150,12 @@ void TestKept::message_hidesNothingAndIsWhole() {
   desk.window.resize(1280, 720);
   desk.session.messages.warn(
       "Recorded 1234567 samples, then the disk has no room for more than 64 MB; the recording is "
-      "kept as run 8b504e58");
+      "Kept in the project: Recording of 2026-03-02 10:14");
   const auto* toast = named<QWidget>(desk.window, "toast");
   const auto* words = named<QLabel>(desk.window, "messageLine");
   QTest::qWait(20);
   QVERIFY(words->heightForWidth(words->width()) <= words->height());
+  QVERIFY(toast->toolTip().contains(words->text()));
   for (const char* page : {"frictionPage", "comparePage", "tunePage", "handPage"}) {
     for (const bool live : {false, true}) {
       desk.window.showPage(page);
@@ -170,6 +174,42 @@ void TestKept::message_hidesNothingAndIsWhole() {
       }
     }
   }
+}
+
+void TestKept::messageThatIsClicked_isShownWholeInTheLog() {
+  const QTemporaryDir place;
+  SmallDesk desk(place.filePath("p"));
+  desk.window.resize(1280, 720);
+  const QString said = QString("The board says at length what was wrong with it. ").repeated(8);
+  desk.session.messages.warn(said);
+  for (int k = 0; k < 20; ++k) desk.session.messages.say(QString("line %1").arg(k));
+  auto* filter = named<QPushButton>(desk.window, "logTroubleOnly");
+  desk.session.messages.warn(said + "Again.");
+  QTest::qWait(20);
+  QTest::mouseClick(named<QWidget>(desk.window, "toast"), Qt::LeftButton);
+  const auto* table = named<QTableWidget>(desk.window, "logTable");
+  QTRY_VERIFY(table->isVisible());
+  QCOMPARE(table->currentRow(), 0);
+  QCOMPARE(table->item(0, 1)->text(), said + "Again.");
+  QVERIFY2(table->rowHeight(0) > 1.5 * table->rowHeight(1), "the line is there whole");
+  filter->setChecked(true);
+  desk.session.messages.say("the last one");  // that the filter hides
+  QTest::qWait(20);
+  QTest::mouseClick(named<QWidget>(desk.window, "toast"), Qt::LeftButton);
+  QCOMPARE(table->item(table->currentRow(), 1)->text(), QString("the last one"));
+}
+
+void TestKept::doubleClick_doesNotPressWhatTheButtonHasBecome() {
+  const QTemporaryDir place;
+  SmallDesk desk(place.filePath("p"));
+  auto* record = named<QPushButton>(desk.window, "recordButton");
+  QTest::mouseClick(record, Qt::LeftButton);
+  QTest::mouseDClick(record, Qt::LeftButton);  // its second press comes to a button that says Finish
+  QTest::mouseRelease(record, Qt::LeftButton);
+  QTest::qWait(50);
+  QVERIFY(desk.session.live.recording());
+  QTest::mouseClick(record, Qt::LeftButton);
+  QTRY_VERIFY(!desk.session.live.recording());
 }
 
 void TestKept::windowClosedWhileRecording_leavesTheRecording() {

@@ -1,8 +1,11 @@
 // What is read off a map's curves: orders of the turn, of the turns of a way together.
 #include <QTest>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "diagnose/verdict/where.h"
+#include "widgets/evidence_plot.h"
 #include "widgets/map_harmonics.h"
 
 using namespace breakaway;
@@ -14,6 +17,7 @@ class TestMapCurves : public QObject {
   void orders_ofAnUnfinishedTurnAreNotTold();
   void fewAngles_showFewerOrders();
   void turns_areTakenTogether();
+  void evidence_isJoinedOnlyBetweenNeighbours();
 };
 
 namespace {
@@ -31,6 +35,16 @@ MapCurve turn(int colour, double offset, size_t count = 60) {
 }
 
 }  // namespace
+
+/// Cells of a speed: some next to each other, one far away, one without data.
+void TestMapCurves::evidence_isJoinedOnlyBetweenNeighbours() {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  ResidualMap map;
+  map.centre = {-37.0, -15.0, -12.0, -8.0, -5.0, 6.0, 9.0, 12.0};
+  map.mean = {0.1, 0.1, 0.2, none, 0.1, 0.1, 0.1, 0.1};
+  const bool joined[] = {false, true, false, false, false, true, true, false};
+  for (size_t k = 0; k < map.centre.size(); ++k) QCOMPARE(leadsOn(map, k), joined[k]);
+}
 
 void TestMapCurves::order_hasItsAmplitude() {
   const std::vector<double> amplitudes = harmonicsOf(turn(0, 0.0), 12);

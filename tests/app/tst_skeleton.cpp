@@ -42,6 +42,9 @@ class TestSkeleton : public QObject {
   void live_hasRoomForTriggerAndSpectrum();
   void stepsOfTuning_areNamedWhole_data();
   void stepsOfTuning_areNamedWhole();
+  void parameters_leaveTuneItsStepOnASmallScreen_data();
+  void parameters_leaveTuneItsStepOnASmallScreen();
+  void emptyCards_sayWhatFillsThem();
 };
 
 namespace {
@@ -249,6 +252,47 @@ void TestSkeleton::stepsOfTuning_areNamedWhole() {
   QTest::qWait(20);
   const QStringList cut = crampedIn(*plot.findChild<QCustomPlot*>());
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+}
+
+void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen_data() {
+  stepsOfTuning_areNamedWhole_data();
+}
+
+void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.resize(1280, 720);
+  desk.window.showPage("tunePage");
+  const auto* loops = named<QWidget>(desk.window, "bodePlot");
+  QTRY_VERIFY(loops->isVisible());
+  desk.window.showParameters(true);
+  QTest::qWait(20);
+  const auto* room = named<QScrollArea>(desk.window, "pageRoom");
+  QVERIFY2(!room->horizontalScrollBar()->isVisible(), "the whole page is there");
+  const QRect free(room->mapToGlobal(QPoint(0, 0)), room->viewport()->size());
+  for (const char* whole : {"stepPlot", "stepTable", "phaseMarginChip", "noiseChip", "kpSlider", "applyButton"}) {
+    const auto* one = named<QWidget>(desk.window, whole);
+    QVERIFY2(one->isVisible() && free.contains(QRect(one->mapToGlobal(QPoint(0, 0)), one->size())), whole);
+  }
+  QVERIFY(named<QWidget>(desk.window, "stepPlot")->width() >= 280);
+  QVERIFY(!loops->isVisible());
+  const QStringList cut = clippedWhereSmall(desk.window);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+  desk.window.showParameters(false);
+  QTRY_VERIFY(loops->isVisible());
+}
+
+void TestSkeleton::emptyCards_sayWhatFillsThem() {
+  Desk desk;
+  desk.window.showPage("frictionPage");
+  QTest::qWait(1);
+  for (const char* hint : {"twinHint", "harmonicsHint"}) {
+    const auto* words = named<QLabel>(desk.window, hint);
+    QVERIFY(words->isVisible() && !words->text().isEmpty());
+    QVERIFY2(words->heightForWidth(words->width()) <= words->height(), hint);
+  }
 }
 
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {

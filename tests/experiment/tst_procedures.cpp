@@ -5,6 +5,7 @@
 #include "experiment/breakaway_sweep.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/position_step.h"
 #include "experiment/slow_turns.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
@@ -25,6 +26,9 @@ class TestProcedures : public QObject {
   void homingThatCreeps_timesOut();
   void homing_countsEdgesTowardsGrowingAngleOnly();
   void velocityStep_isFastAndReachesItsSpeed();
+  void positionStep_goesToItsPlace_data();
+  void positionStep_goesToItsPlace();
+  void positionStepOfAHeldShaft_saysSo();
   void velocitySweep_runsWholeTurnsBothWays();
   void unreachableSpeed_isReported();
   void speedLostWhileMeasuring_isReportedWithItsPlace();
@@ -172,6 +176,49 @@ void TestProcedures::velocityStep_isFastAndReachesItsSpeed() {
   QVERIFY(figures.overshoot < 0.3);
   QVERIFY(figures.peakCurrent_A > 0.3 && figures.peakCurrent_A < 8.0);
   QVERIFY(std::abs(step->curve().velocity_rad_per_s.back() - 20.0) < 1.0);
+}
+
+void TestProcedures::positionStep_goesToItsPlace_data() {
+  QTest::addColumn<double>("by_rad");
+  QTest::newRow("forwards") << 0.4;
+  QTest::newRow("backwards") << -0.4;
+}
+
+void TestProcedures::positionStep_goesToItsPlace() {
+  QFETCH(double, by_rad);
+  auto drive = servo();
+  run(*drive, std::make_shared<CurrentZeroing>(), 5.0);
+  run(*drive, std::make_shared<VelocityStep>(), 5.0);  // so that it doesn't begin at 0
+  PositionStepOptions options;
+  options.by_rad = by_rad;
+  const auto step = std::make_shared<PositionStep>(options);
+  run(*drive, step, 5.0);
+  QVERIFY2(step->state() == Procedure::State::finished, step->status().failure.message().c_str());
+  const StepCurve& curve = step->curve();
+  QVERIFY(curve.time_s.front() < -0.05 && std::abs(curve.velocity_rad_per_s.front()) < 0.02);
+  QVERIFY2(std::abs(curve.velocity_rad_per_s.back() / by_rad - 1.0) < 0.05,
+           qPrintable(QString::number(curve.velocity_rad_per_s.back())));
+  const StepFigures figures = step->figures();
+  QVERIFY2(figures.rise_s > 0.005 && figures.rise_s < 0.3, qPrintable(QString::number(figures.rise_s)));
+  QVERIFY(figures.overshoot < 0.3 && figures.peakCurrent_A > 0.05 && figures.peakCurrent_A < 8.0);
+}
+
+void TestProcedures::positionStepOfAHeldShaft_saysSo() {
+  PositionStepOptions options;
+  options.by_rad = 0.1;
+  PositionStep step(options);
+  Sample sample;
+  sample.angle_rad = 3.0;
+  double farthest_rad = 0.0;
+  for (int k = 0; k < 3000 && step.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.current_A = 1e-3 * (k % 7);
+    const Command command = step.step(sample);
+    if (command.mode == Command::Mode::position) farthest_rad = std::max(farthest_rad, command.target);
+  }
+  QVERIFY(std::abs(farthest_rad - 3.1) < 1e-12);
+  QCOMPARE(step.state(), Procedure::State::failed);
+  QVERIFY(QString::fromStdString(step.status().failure.message()).contains("does not follow a step of 5.73°"));
 }
 
 void TestProcedures::velocitySweep_runsWholeTurnsBothWays() {
