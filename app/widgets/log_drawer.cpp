@@ -48,7 +48,7 @@ LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), mes
   connect(troubleOnly_, &QPushButton::toggled, this, &LogDrawer::fill);
   connect(copyAll, &QPushButton::clicked, this, &LogDrawer::copy);
   connect(close, &QPushButton::clicked, this, &LogDrawer::closed);
-  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int before) { unfold(row, before); });
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int now, int, int before) { unfold(now, before); });
   connect(&messages_, &Messages::said, this, &LogDrawer::take);
   onNewLook(this, [this] { fill(); });
   fill();
