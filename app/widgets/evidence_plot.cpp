@@ -21,7 +21,7 @@ namespace breakaway {
 namespace {
 
 constexpr double nearSpacings = 2.5;  // of the middle one, between cells that a line joins
-constexpr double wideBar_px = 9.0, thinBar_px = 3.0;
+constexpr double wideBar_px = 9.0, thinBar_px = 3.0, wideBarAlpha = 0.35;
 
 }  // namespace
 
@@ -112,11 +112,12 @@ void EvidencePlot::drawMap(const ResidualMap& map, int colour) {
   const Look& look = Look::of(palette());
   const auto& evidence = *comparison_.evidence();
   const double x = shownAxis(evidence.axis, evidence.linear).scale, y = evidence.linear ? 1.0 : 1e3;
-  QCPGraph* line = plot_->addGraph();
+  QCPGraph* means = plot_->addGraph();  // unseen: what the bars stand on, beneath the line
   auto* bars = new QCPErrorBars(plot_->xAxis, plot_->yAxis);
-  bars->setDataPlottable(line);
+  QCPGraph* line = plot_->addGraph();
+  bars->setDataPlottable(means);
   const auto add = [&](double at, double mean, double half) {
-    line->addData(x * at, y * mean);
+    for (QCPGraph* graph : {means, line}) graph->addData(x * at, y * mean);
     bars->addData(y * half);
   };
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -126,8 +127,10 @@ void EvidencePlot::drawMap(const ResidualMap& map, int colour) {
     if (k + 1 < map.centre.size() && !leadsOn(map, k)) add(map.centre[k], none, none);
   }
   // The first bars are wide and pale, so that the second ones can be told from them at the same place.
-  bars->setPen(QPen(colour == 1 ? look.measured(colour) : look.curve(colour), colour == 1 ? wideBar_px : thinBar_px,
-                    Qt::SolidLine, Qt::FlatCap));
+  QColor ink = look.curve(colour);
+  if (colour == 1) ink.setAlphaF(wideBarAlpha);
+  bars->setPen(QPen(ink, colour == 1 ? wideBar_px : thinBar_px, Qt::SolidLine, Qt::FlatCap));
+  means->setPen(Qt::NoPen);
   bars->setWhiskerWidth(0.0);
   bars->setSymbolGap(0.0);
   line->setPen(QPen(look.curve(colour), 1.2));

@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/numbers.h"
@@ -30,7 +31,19 @@ class RadiusTicker : public QCPAxisTicker {
   const QCPPolarAxisAngular& axis_;
 };
 
-constexpr int figureGap_px = 26;
+/// Every 30° but at the sides, where upright labels would take the circle's room.
+class RimTicker : public DegreeTicker {
+ public:
+  RimTicker() : DegreeTicker(30.0) {}
+
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    const bool side = std::abs(std::remainder(tick, 180.0)) < 1.0;
+    return side ? QString() : DegreeTicker::getTickLabel(tick, locale, format, precision);
+  }
+};
+
+constexpr int figureGap_px = 26, rim_px = 19, besideRim_px = 11;
 constexpr double roomForFigure = 0.6;  // of what the values span, in the middle where the radius begins above zero
 
 /// The stretch between two curves around the rotor.
@@ -76,17 +89,16 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
   QCustomPlot* const plot = &canvas();
   // An item asks for the plot's first axis rectangle, which the polar axis is none of.
   for (QCPItemText*& text : figure_) text = new QCPItemText(plot);
+  for (QCPItemText*& text : sides_) text = new QCPItemText(plot);
   plot->plotLayout()->clear();
   axis_ = new QCPPolarAxisAngular(plot);
   axis_->setRangeDrag(false);
   axis_->setRangeZoom(false);
   axis_->setRange(0.0, 360.0);
-  // Labels along the circle leave it more room than upright ones.
-  axis_->setTickLabelMode(QCPPolarAxisAngular::lmRotated);
-  axis_->setMinimumMargins(QMargins(18, 18, 18, 18));
+  axis_->setMinimumMargins(QMargins(rim_px, rim_px, rim_px, rim_px));
   axis_->setAngle(0.0);  // zero to the right and growing counter-clockwise, as on the dial
   axis_->setRangeReversed(true);
-  axis_->setTicker(QSharedPointer<DegreeTicker>::create(30.0));
+  axis_->setTicker(QSharedPointer<RimTicker>::create());
   axis_->setNumberFormat("gb");
   QCPPolarAxisRadial* radius = axis_->radialAxis();
   radius->setRangeDrag(false);
@@ -105,8 +117,18 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
     figure_[k]->setClipToAxisRect(false);
     figure_[k]->setVisible(false);
   }
+  for (size_t k = 0; k < sides_.size(); ++k) {
+    sides_[k]->setText(k == 0 ? QString("0°") : QString("180°"));
+    sides_[k]->setRotation(k == 0 ? 90.0 : -90.0);
+    sides_[k]->position->setType(QCPItemPosition::ptAbsolute);
+    sides_[k]->setPositionAlignment(Qt::AlignCenter);
+    sides_[k]->setClipToAxisRect(false);
+  }
   // The middle is known once the layout is.
   QObject::connect(plot, &QCustomPlot::afterLayout, this, [this] {
+    const double beside_px = axis_->radius() + besideRim_px;
+    sides_[0]->position->setCoords(axis_->center() + QPointF(beside_px, 0.0));
+    sides_[1]->position->setCoords(axis_->center() - QPointF(beside_px, 0.0));
     for (size_t k = 0; k < figure_.size(); ++k)
       figure_[k]->position->setCoords(axis_->center() + QPointF(0.0, figureGap_px * (static_cast<double>(k) - 1.0)));
   });
@@ -139,6 +161,10 @@ void PolarPlot::draw(const Look& look) {
     figure_[k]->setFont(typed(k == 1 ? Type::figure : Type::caption));
     figure_[k]->setColor(k == 1 ? look.ink : look.muted);
     figure_[k]->setBrush(look.surface);
+  }
+  for (QCPItemText* side : sides_) {
+    side->setFont(axis_->tickLabelFont());
+    side->setColor(axis_->tickLabelColor());
   }
   axis_->radialAxis()->setVisible(!curves().empty());
   mark_ = addGraph();

@@ -37,6 +37,7 @@ class PolarPlot : public MapPlot {
   QCPPolarGraph* mark_ = nullptr;
   std::vector<QCPPolarGraph*> graphs_;
   std::vector<QCPAbstractItem*> bands_;
+  std::array<QCPItemText*, 2> sides_{};  ///< what 0° and 180° are called
   std::array<QCPItemText*, 3> figure_{};
 };
 
