@@ -287,9 +287,13 @@ QWidget* TunePage::buildPlots() {
 void TunePage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
   const bool whole = width() >= wholeFrom_px;
+  if (whole_ == whole) return;
+  whole_ = whole;
   loops_->setVisible(whole);
   for (const int column : {1, 2, 3}) table_->setColumnHidden(column, !whole);  // gains: they stand in the parameters
   arrangeChips(whole ? 4 : 2);
+  // At once: a plot of the room that was left before would be seen for a moment.
+  for (QLayout* one : {static_cast<QLayout*>(chips_), loops_->parentWidget()->layout(), layout()}) one->activate();
 }
 
 void TunePage::wordForAxis() {

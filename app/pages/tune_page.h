@@ -93,6 +93,7 @@ class TunePage : public Page {
   FigureChip* rule_ = nullptr;
   FigureChip* noise_ = nullptr;
   QWidget* loops_ = nullptr;  ///< Bode plot and root locus
+  bool whole_ = true;         ///< there is room for them
   StepPlot* plot_ = nullptr;
   BodePlot* bode_ = nullptr;
   LocusPlot* locus_ = nullptr;

@@ -82,7 +82,7 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   };
   follow(velocity_->axis(QCPAxis::atBottom), current_->axis(QCPAxis::atBottom));
   follow(current_->axis(QCPAxis::atBottom), velocity_->axis(QCPAxis::atBottom));
-  hint_ = new QCPTextElement(plot_, tr("Connect a board:\nthe step that its settings make is foretold here"));
+  hint_ = new QCPTextElement(plot_, tr("Connect a board:\nthe step that its settings make\nis foretold here"));
   velocity_->insetLayout()->addElement(hint_, Qt::AlignCenter);
   setQuantity(tr("Speed (%1)").arg(tr("rad/s")));
   draw();

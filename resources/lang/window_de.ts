@@ -4397,7 +4397,8 @@ Doppelklick oder F2 zum Schreiben</translation>
     </message>
     <message>
         <source>Connect a board:
-the step that its settings make is foretold here</source>
+the step that its settings make
+is foretold here</source>
         <translation>Ein Board verbinden: hier
 wird der Sprung vorhergesagt,
 den seine Einstellungen ergeben</translation>
