@@ -60,6 +60,11 @@ QString milliseconds(double time_s) {
   return std::isfinite(time_s) ? numberText(1e3 * time_s) : TunePage::tr("not reached");
 }
 
+/// To a thousandth of a percent: below that is arithmetic.
+QString percent(double part) {
+  return numberText(1e-3 * std::round(1e5 * part), 2);
+}
+
 QString toneOf(Grade grade) {
   return grade == Grade::good ? "good" : grade == Grade::warning ? "warning" : "trouble";
 }
@@ -425,7 +430,7 @@ void TunePage::showChips() {
     read(tr("αgT is beyond its rule of thumb; g up to %1 rad/s keeps it").arg(numberText(now.ruleOfThumb_rad_per_s)));
   } else {
     read(tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A")
-             .arg(milliseconds(now.figures.rise_s), numberText(100.0 * now.figures.overshoot, 2),
+             .arg(milliseconds(now.figures.rise_s), percent(now.figures.overshoot),
                   milliseconds(now.figures.settling_s), numberText(now.figures.peakCurrent_A)));
   }
 }
@@ -467,9 +472,8 @@ void TunePage::showSteps() {
     fillRow(*table_, at,
             {name, numberText(position_ ? with.position_kp_A_per_rad : with.velocity_kp_A_s_per_rad),
              numberText(position_ ? with.position_ki_A_per_rad_s : with.velocity_ki_A_per_rad),
-             numberText(with.observer_cutoff_rad_per_s), milliseconds(figures.rise_s),
-             numberText(100.0 * figures.overshoot, 2), milliseconds(figures.settling_s),
-             numberText(figures.peakCurrent_A)});
+             numberText(with.observer_cutoff_rad_per_s), milliseconds(figures.rise_s), percent(figures.overshoot),
+             milliseconds(figures.settling_s), numberText(figures.peakCurrent_A)});
     table_->item(at, 0)->setForeground(ink);
     table_->item(at, 0)->setFont(typed(Type::caption, true));
   };

@@ -4,9 +4,19 @@
 
 namespace breakaway {
 
+namespace {
+constexpr const char* dialogName = "fileDialog";
+}
+
 void FileDialogs::ask(QWidget* parent, const FileQuestion& question, Answer answer) {
+  for (auto* open : parent->findChildren<QFileDialog*>(dialogName)) {
+    if (open->windowTitle() != question.title) continue;
+    open->raise();  // asked again while the question stands: it is the same one
+    open->activateWindow();
+    return;
+  }
   auto* dialog = new QFileDialog(parent, question.title);
-  dialog->setObjectName("fileDialog");
+  dialog->setObjectName(dialogName);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   if (!question.filter.isEmpty()) dialog->setNameFilter(question.filter);

@@ -26,7 +26,8 @@ class FileChooser {
   virtual void ask(QWidget* parent, const FileQuestion& question, Answer answer) = 0;
 };
 
-/// The dialog of the program itself, which lets Esc through to STOP where a desktop's own dialog would not.
+/// The dialog of the program itself, which lets Esc through to STOP where a desktop's own dialog would not. A question
+/// that stands already is shown, not asked twice.
 class FileDialogs : public FileChooser {
  public:
   void ask(QWidget* parent, const FileQuestion& question, Answer answer) override;
