@@ -314,6 +314,9 @@ void Tour::tune() {
   }
   shoot("tune-step");
   press("positionLoopTab");
+  const size_t before = session_.bench.steps().size();
+  press("measureStepButton");
+  if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the position step did not end";
   shoot("tune-position");
   press("velocityLoopTab");
 }
