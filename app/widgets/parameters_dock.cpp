@@ -20,7 +20,7 @@ namespace breakaway {
 namespace {
 
 enum Column { tickColumn, nameColumn, boardColumn, editedColumn, beforeColumn, profileColumn, rangeColumn };
-constexpr int columnWidths[] = {28, 0, 66, 74, 66, 76, 82};  // the name takes what is left
+constexpr int columnWidths[] = {28, 0, 64, 68, 66, 70, 82};  // the name takes what is left
 constexpr int digits = 4, mostDigits = 9, noteLines = 4, applyWidth = 144;
 constexpr int wide_px = 652, narrow_px = 424, wideFrom_px = 1700;  // the dock; from this window on it is wide
 
