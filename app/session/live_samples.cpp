@@ -119,7 +119,7 @@ void LiveSamples::takeEnd(const RecordingEnd& end) {
   if (end.why.empty()) {
     messages_.say(what);
   } else {
-    messages_.warn(tr("%1, then %2. Kept in the project: %3").arg(what, inLanguage(Message(end.why)), titleOf(run_)));
+    messages_.warn(tr("%1, then %2. Kept: %3").arg(what, inLanguage(Message(end.why)), titleOf(run_)));
   }
   emit recordingChanged();
 }

@@ -2829,7 +2829,7 @@
         <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
     </message>
     <message>
-        <source>%1, then %2. Kept in the project: %3</source>
+        <source>%1, then %2. Kept: %3</source>
         <translation>%1, dann %2. Im Projekt: %3</translation>
     </message>
 </context>
