@@ -374,17 +374,12 @@ void TunePage::showEdits() {
 }
 
 VelocityStepOptions TunePage::step() const {
-  VelocityStepOptions options;
-  options.to_rad_per_s = height_->value();
-  options.axis = connection_.identity().axis;
-  return options;
+  return {.to_rad_per_s = height_->value(), .axis = connection_.identity().axis};
 }
 
 PositionStepOptions TunePage::positionStep() const {
-  PositionStepOptions options;
-  options.by_rad = travel_->value() * (connection_.linear() ? 1e-3 : std::numbers::pi / 180.0);
-  options.axis = connection_.identity().axis;
-  return options;
+  const double scale = connection_.linear() ? 1e-3 : std::numbers::pi / 180.0;
+  return {.by_rad = travel_->value() * scale, .axis = connection_.identity().axis};
 }
 
 void TunePage::foretell() {

@@ -2,6 +2,8 @@
 #include <qcustomplot.h>
 
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "firmware_link/presets.h"
 #include "pages/tune_page.h"
 #include "session/settings_edits.h"
+#include "widgets/file_chooser.h"
 #include "widgets/step_plot.h"
 
 using namespace breakaway;
@@ -23,6 +26,8 @@ class TestPages : public QObject {
   void circleOfFriction_isAsLargeAsItsPlaceIsHigh_data();
   void circleOfFriction_isAsLargeAsItsPlaceIsHigh();
   void positionLoop_hasItsOwnGainsAndStep();
+  void emptyCards_sayWhatFillsThem();
+  void questionForAFile_isAskedOnce();
   void presets_sayWhatTheyAre();
 };
 
@@ -57,6 +62,27 @@ void TestPages::circleOfFriction_isAsLargeAsItsPlaceIsHigh() {
       qobject_cast<QCPPolarAxisAngular*>(polar->findChild<QCustomPlot*>()->plotLayout()->element(0, 0));
   QVERIFY2(2.0 * angular->radius() >= circle, qPrintable(QString::number(2.0 * angular->radius())));
   QVERIFY(named<QWidget>(desk.window, "twinPlot")->width() >= 170);
+}
+
+void TestPages::questionForAFile_isAskedOnce() {
+  QWidget window;
+  FileDialogs files;
+  const FileQuestion question{"Export the friction map", "Map (*.csv)", "map.csv", true};
+  for (int k = 0; k < 3; ++k) files.ask(&window, question, [](const QString&) {});
+  QCOMPARE(window.findChildren<QFileDialog*>().size(), 1);
+  files.ask(&window, {"Save the last recording", "Recording (*.csv)", "recording.csv", true}, [](const QString&) {});
+  QCOMPARE(window.findChildren<QFileDialog*>().size(), 2);
+}
+
+void TestPages::emptyCards_sayWhatFillsThem() {
+  Desk desk;
+  desk.window.showPage("frictionPage");
+  QTest::qWait(1);
+  for (const char* hint : {"twinHint", "harmonicsHint"}) {
+    const auto* words = named<QLabel>(desk.window, hint);
+    QVERIFY(words->isVisible() && !words->text().isEmpty());
+    QVERIFY2(words->heightForWidth(words->width()) <= words->height(), hint);
+  }
 }
 
 void TestPages::positionLoop_hasItsOwnGainsAndStep() {

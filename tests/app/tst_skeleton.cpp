@@ -2,7 +2,6 @@
 // that takes the focus has a name, and the wheel changes nothing by hovering.
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableWidget>
@@ -14,7 +13,6 @@
 #include "session/language.h"
 #include "session/settings_edits.h"
 #include "support/temporary.h"
-#include "widgets/file_chooser.h"
 #include "widgets/rail.h"
 #include "widgets/step_plot.h"
 
@@ -46,8 +44,6 @@ class TestSkeleton : public QObject {
   void stepsOfTuning_areNamedWhole();
   void parameters_leaveTuneItsStepOnASmallScreen_data();
   void parameters_leaveTuneItsStepOnASmallScreen();
-  void emptyCards_sayWhatFillsThem();
-  void questionForAFile_isAskedOnce();
 };
 
 namespace {
@@ -285,27 +281,6 @@ void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen() {
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
   desk.window.showParameters(false);
   QTRY_VERIFY(loops->isVisible());
-}
-
-void TestSkeleton::questionForAFile_isAskedOnce() {
-  QWidget window;
-  FileDialogs files;
-  const FileQuestion question{"Export the friction map", "Map (*.csv)", "map.csv", true};
-  for (int k = 0; k < 3; ++k) files.ask(&window, question, [](const QString&) {});
-  QCOMPARE(window.findChildren<QFileDialog*>().size(), 1);
-  files.ask(&window, {"Save the last recording", "Recording (*.csv)", "recording.csv", true}, [](const QString&) {});
-  QCOMPARE(window.findChildren<QFileDialog*>().size(), 2);
-}
-
-void TestSkeleton::emptyCards_sayWhatFillsThem() {
-  Desk desk;
-  desk.window.showPage("frictionPage");
-  QTest::qWait(1);
-  for (const char* hint : {"twinHint", "harmonicsHint"}) {
-    const auto* words = named<QLabel>(desk.window, hint);
-    QVERIFY(words->isVisible() && !words->text().isEmpty());
-    QVERIFY2(words->heightForWidth(words->width()) <= words->height(), hint);
-  }
 }
 
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
