@@ -119,7 +119,8 @@ void LiveSamples::takeEnd(const RecordingEnd& end) {
   if (end.why.empty()) {
     messages_.say(what);
   } else {
-    messages_.warn(tr("%1, then %2. Kept: %3").arg(what, inLanguage(Message(end.why)), titleOf(run_)));
+    messages_.say(tr("Kept in the project: %1").arg(titleOf(run_)));
+    messages_.warn(tr("%1, then %2; what was recorded is kept").arg(what, inLanguage(Message(end.why))));
   }
   emit recordingChanged();
 }

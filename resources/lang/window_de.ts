@@ -2829,8 +2829,12 @@
         <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
     </message>
     <message>
-        <source>%1, then %2. Kept: %3</source>
-        <translation>%1, dann %2. Im Projekt: %3</translation>
+        <source>Kept in the project: %1</source>
+        <translation>Im Projekt: %1</translation>
+    </message>
+    <message>
+        <source>%1, then %2; what was recorded is kept</source>
+        <translation>%1, dann %2; das Aufgezeichnete bleibt</translation>
     </message>
 </context>
 <context>

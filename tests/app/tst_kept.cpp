@@ -149,8 +149,8 @@ void TestKept::message_hidesNothingAndIsWhole() {
   SmallDesk desk(place.filePath("p"));
   desk.window.resize(1280, 720);
   desk.session.messages.warn(
-      "Recorded 1234567 samples, then the disk has no room for more than 64 MB. "
-      "Kept: Recording of 2026-03-02 10:14");
+      "Recorded 1234567 samples, then the disk has no room for more than 64 MB; what was "
+      "recorded is kept");
   const auto* toast = named<QWidget>(desk.window, "toast");
   const auto* words = named<QLabel>(desk.window, "messageLine");
   QTest::qWait(20);

@@ -248,7 +248,7 @@ void TestSession::lostBoard_leavesItsRecordingAndSamples() {
   QTRY_COMPARE(parts.kept().front().state, RunState::cut);
   const auto said = parts.lines();
   QVERIFY(std::any_of(said.begin(), said.end(),
-                      [](const QString& line) { return line.contains("Kept: Recording of 20"); }));
+                      [](const QString& line) { return line.contains("Kept in the project: Recording of 20"); }));
   parts.witness->cableCut = false;
   const double lost_s = *live.lost_s();
   const uint64_t before = live.history().end();
