@@ -43,7 +43,7 @@ void saveForEver(Desk& desk, const QString& folder) {
   for (int k = 0;; ++k) {
     NewRun run;
     run.write = [](const std::string& into) { return exportMap(noisyMap(0.02, 1), "json", into + "/map.json"); };
-    desk.session.project.put(run, "A map");
+    desk.session.project.put(run);
     desk.session.live.startRecording();
     QTest::qWait(100);
     desk.session.live.finishRecording();
@@ -60,7 +60,7 @@ int compareForEver(Desk& desk, const QString& folder) {
     NewRun run;
     run.write = [k](const std::string& into) { return exportMap(noisyMap(0.02, k), "json", into + "/map.json"); };
     const size_t before = runs.all();
-    desk.session.project.put(run, "A map");
+    desk.session.project.put(run);
     if (!QTest::qWaitFor([&] { return runs.all() > before; }, patience_ms)) return 1;
     if (runs.runs().size() < 2) continue;
     bool compared = false;
