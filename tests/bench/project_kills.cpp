@@ -103,7 +103,7 @@ std::optional<Project> lookedAt(const std::string& folder, ProjectKills& kills) 
 
 void countCut(const Project& project, const ProjectRun& run, double at_s, ProjectKills& kills) {
   ++kills.cut;
-  if (run.state == RunState::cut && saysOf(project, run.id)) ++kills.said;
+  if (run.state == RunState::cut && saysOf(project, run.at)) ++kills.said;
   const auto survey = surveyBlocks(project.pathOf(run, recordingFile));
   if (survey && survey->rows > 0) kills.worst_s = std::max(kills.worst_s, at_s - survey->last_s);
 }
