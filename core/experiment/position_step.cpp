@@ -6,8 +6,8 @@
 namespace breakaway {
 
 namespace {
-constexpr double leastFollowed = 0.1;     // of the step: less is no step
-constexpr double recordedLead = 0.1;  // of what is recorded after the step, before it
+constexpr double leastFollowed = 0.1;  // of the step: less is no step
+constexpr double recordedLead = 0.1;   // of what is recorded after the step, before it
 }  // namespace
 
 VelocityStepOptions PositionStep::asVelocityStep(const PositionStepOptions& options) {

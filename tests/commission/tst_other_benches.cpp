@@ -94,6 +94,8 @@ void gearMotor(Json& rig) {
                   {"inductance_H", 0.0048},
                   {"inertia_kg_m2", 4e-8}};
   scaleFriction(rig, 0.056);
+  for (const char* curve : {"static_cw", "static_ccw"})
+    rig["friction"][curve]["mean"] = 1.6 * rig["friction"][curve]["mean"].get<double>();
   for (const char* curve : {"viscous_cw", "viscous_ccw"}) rig["friction"][curve]["mean"] = 4e-7;
   rig["friction"]["stribeck_velocity_rad_per_s"] = 3.4;
   rig["position_torque"]["harmonics_Nm"] = {{6, 1.2e-4, 0.7}};
