@@ -86,7 +86,7 @@ void BenchRuns::measureStep(const PositionStepOptions& wanted) {
 }
 
 template <class Step>
-void BenchRuns::measure(RunKind kind, std::shared_ptr<Step> step, const VelocityStepOptions& options) {
+void BenchRuns::measure(RunKind kind, const std::shared_ptr<Step>& step, const VelocityStepOptions& options) {
   std::shared_ptr<Procedure> whole = step;
   if (axisIsHomed()) whole = std::make_shared<StepOverTravel>(known_, step);
   connection_.start(

@@ -97,7 +97,7 @@ class BenchRuns : public QObject {
   void leaveBoard();
   void lineariseBoard();
   template <class Step>
-  void measure(RunKind kind, std::shared_ptr<Step> step, const VelocityStepOptions& options);
+  void measure(RunKind kind, const std::shared_ptr<Step>& step, const VelocityStepOptions& options);
   void keepResult(const RunSnapshot& snapshot);
   void keepKnown(const KnownPtr& now);
   Facts forgottenFor(RunKind kind, const SweepSettings& sweeps) const;
