@@ -7,6 +7,7 @@
 #include "experiment/breakaway_sweep.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/position_step.h"
 #include "experiment/spin_test.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
@@ -64,6 +65,11 @@ Subject velocityStep() {
   return {procedure, [procedure] { return procedure->curve().time_s.size(); }, [](double) { return velocityStep(); }};
 }
 
+Subject positionStep() {
+  const auto procedure = std::make_shared<PositionStep>(PositionStepOptions{});
+  return {procedure, [procedure] { return procedure->curve().time_s.size(); }, [](double) { return positionStep(); }};
+}
+
 Subject velocitySweep(double index, const std::vector<VelocityRun>& earlier) {
   VelocitySweepOptions options;
   options.speeds_rad_per_s = {15.0, 60.0};
@@ -103,6 +109,7 @@ const std::map<std::string, std::function<Subject()>>& subjects() {
       {"spin", spin},
       {"homing", homing},
       {"velocity step", velocityStep},
+      {"position step", positionStep},
       {"velocity sweep", [] { return velocitySweep(index_rad, {}); }},
       {"breakaway sweep", [] { return breakawaySweep(index_rad, {}); }},
   };
@@ -119,8 +126,8 @@ struct Fault {
 };
 
 const std::vector<Fault>& faults() {
-  static const std::vector<std::string> held{"blocked", "does not move", "was lost", "was not reached",
-                                             "does not break away"};
+  static const std::vector<std::string> held{"blocked",         "does not move",       "was lost",
+                                             "was not reached", "does not break away", "is the shaft held"};
   static const std::vector<Fault> all{
       {"STOP", "", 0.0, {"STOP was pressed"}},
       {"link loss", R"("link_loss")", 1.0, {"the link to the board is lost"}},
@@ -152,7 +159,7 @@ const Fault& faultOf(const std::string& name) {
 }
 
 bool turns(const std::string& procedure) {
-  return procedure != "zeroing" && procedure != "winding";
+  return procedure != "zeroing" && procedure != "winding" && procedure != "position step";
 }
 
 /// What the fault must lead to. `either` only where it depends on how far the procedure has come.
@@ -174,7 +181,7 @@ Outcome expected(const std::string& procedure, const std::string& state, const s
     return state.starts_with("search") || state.starts_with("turning") ? Outcome::ends : Outcome::either;
   }
   if (fault == "drift") {
-    if (procedure == "homing" || procedure == "velocity step") return Outcome::finishes;
+    if (procedure == "homing" || procedure == "velocity step" || procedure == "position step") return Outcome::finishes;
     return homed || (procedure == "zeroing" && state != "halfway") ? Outcome::ends : Outcome::either;
   }
   return Outcome::ends;
@@ -281,9 +288,9 @@ void TestFaults::initTestCase() {
 }
 
 void TestFaults::allStates_areMet() {
-  const std::map<std::string, size_t> states{{"zeroing", 1},        {"winding", 3},       {"spin", 1},
-                                             {"homing", 4},         {"velocity step", 1}, {"velocity sweep", 5},
-                                             {"breakaway sweep", 7}};
+  const std::map<std::string, size_t> states{{"zeroing", 1},        {"winding", 3},        {"spin", 1},
+                                             {"homing", 4},         {"velocity step", 1},  {"position step", 1},
+                                             {"velocity sweep", 5}, {"breakaway sweep", 7}};
   for (const auto& [name, least] : states) {
     const size_t met = entriesOf(name).size() - 1;  // less the middle
     QVERIFY2(met >= least, qPrintable(QString::fromStdString(name) + ": " + QString::number(met)));

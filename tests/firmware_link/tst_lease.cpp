@@ -15,6 +15,7 @@
 #include "experiment/course.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/position_step.h"
 #include "experiment/reversal_test.h"
 #include "experiment/slow_turns.h"
 #include "experiment/spin_test.h"
@@ -273,6 +274,7 @@ void TestLease::hostThatIsLost_stopsTheBoardInEveryState_data() {
     return std::make_shared<ReversalTest>(options);
   });
   row("velocity step", 2, [] { return std::make_shared<VelocityStep>(); });
+  row("position step", 2, [] { return std::make_shared<PositionStep>(PositionStepOptions{}); });
   row("homing", 4, [] { return std::make_shared<Homing>(); });
   row("velocity sweep", 5, [] {
     VelocitySweepOptions options;
