@@ -5,19 +5,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
 #include "recording/import/told_rate.h"
 
 namespace breakaway {
 
 namespace {
-
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 std::vector<std::string> cellsOf(std::string_view line) {
   const char separator = line.find('\t') != std::string_view::npos  ? '\t'

@@ -391,4 +391,11 @@ bool isMultiplied(std::string_view name) {
          (name[mark] == '*' || std::isalnum(static_cast<unsigned char>(name[mark - 1])) == 0);
 }
 
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one | 0x20) : one; });
+  return lower;
+}
+
 }  // namespace breakaway

@@ -31,6 +31,9 @@ NameParts partsOfName(std::string_view name, std::string_view unit);
 /// "torque_x1000", "angle*10": a name that holds a factor.
 bool isMultiplied(std::string_view name);
 
+/// In small letters, as far as they are ASCII's.
+std::string lowered(std::string_view text);
+
 template <typename Some>
 bool isIn(const Some& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();

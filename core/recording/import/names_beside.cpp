@@ -308,10 +308,7 @@ ColumnName withoutUnknown(const RawColumn& column, ColumnName name) {
 }  // namespace
 
 std::string nameWithout(std::string name, const std::string& word) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const size_t at = lower.rfind(word);
+  const size_t at = lowered(name).rfind(word);
   return at == std::string::npos ? name : name.replace(at, word.size(), " ");
 }
 

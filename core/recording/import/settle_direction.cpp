@@ -49,15 +49,9 @@ constexpr auto backwardTexts = std::to_array<std::string_view>({"rev",
                                                                 "反转",
                                                                 "反"});
 
-std::string inSmallLetters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one | 0x20) : one; });
-  return text;
-}
-
 /// 1 forward, −1 backward, 0 neither.
 double signNamed(const std::string& text) {
-  const std::string word = inSmallLetters(text);
+  const std::string word = lowered(text);
   return isIn(forwardTexts, word) ? 1.0 : isIn(backwardTexts, word) ? -1.0 : 0.0;
 }
 
@@ -66,7 +60,7 @@ bool tellsUnknownWays(const RawColumn& column) {
   static constexpr auto rests = std::to_array<std::string_view>(
       {"stop", "stopped", "idle", "brake", "braking", "none", "off", "hold", "halt", "coast"});
   return column.texts.size() == 2 && std::none_of(column.texts.begin(), column.texts.end(), [](const std::string& one) {
-           return signNamed(one) != 0.0 || isIn(rests, inSmallLetters(one));
+           return signNamed(one) != 0.0 || isIn(rests, lowered(one));
          });
 }
 
