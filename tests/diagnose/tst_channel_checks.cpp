@@ -76,6 +76,7 @@ class TestChannelChecks : public QObject {
  private slots:
   void soundRecording_getsNoRemark();
   void missingRows_areSaidAndTheirWindowsLeftOut();
+  void missingRow_isUnknown_whereTheDriveLeaps();
   void longRecording_isFittedOnWindowsOfAllItsParts();
   void timesThatJitter_areStraightened();
   void motionSampledAtIrregularTimes_keepsThem();
@@ -118,6 +119,28 @@ void TestChannelChecks::missingRows_areSaidAndTheirWindowsLeftOut() {
     for (const Window& window : *windows)
       QVERIFY(track.time[window.last] < 5.2 || track.time[window.first] > 5.599 + 0.19);
   }
+}
+
+/// A step of the drive may have come in the missing row or after it: unknown for windows that look back on it, too.
+/// A row that is missing while the drive holds tells as much as any other.
+void TestChannelChecks::missingRow_isUnknown_whereTheDriveLeaps() {
+  constexpr size_t leaps = 5200, holds = 9202;  // of a drive that changes every fourth row
+  const Recording steps = changed([](std::vector<Channel>& channels) {
+    for (Channel& one : channels) {
+      for (const size_t row : {holds, leaps}) one.values.erase(one.values.begin() + static_cast<std::ptrdiff_t>(row));
+    }
+  });
+  const Preparation data = prepared(steps);
+  const Track& track = data.tracks.front();
+  QVERIFY(track.missingInput(leaps - 1) > 0.0);
+  QCOMPARE(track.missingInput(holds - 2), 0.0);
+  bool across = false;
+  for (const Window& window : data.split.train) {
+    const double from = track.time[window.first], to = track.time[window.last];
+    QVERIFY(to < 5.2 || from > 5.2 + 0.19);
+    across = across || (from < 9.2 && to > 9.21);
+  }
+  QVERIFY(across);
 }
 
 void TestChannelChecks::longRecording_isFittedOnWindowsOfAllItsParts() {

@@ -25,6 +25,8 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a measured current, late by most of a row") << "sound" << 53;
   QTest::newRow("a winding that rows are too long to show") << "sound" << 40;
   QTest::newRow("places too small to matter") << "sound" << 37;
+  QTest::newRow("winding and rotor ring faster than rows, some of which are missing") << "sound" << 131;
+  QTest::newRow("winding and rotor ring faster than rows") << "sound" << 96;
   QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
   QTest::newRow("an arm over less than a turn") << "imbalance" << 2;
 }

@@ -9,6 +9,7 @@
 #include "diagnose/fit/channel_checks.h"
 #include "diagnose/fit/excitation_seen.h"
 #include "diagnose/fit/read_track.h"
+#include "diagnose/fit/ringing_start.h"
 #include "diagnose/fit/servo_start.h"
 #include "diagnose/fit/start_models.h"
 #include "diagnose/fit/winding_start.h"
@@ -225,6 +226,10 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     auto starts = startModels(one, training);
     if (!starts) return starts.error();
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
+  }
+  if (!currentSeen(training)) {
+    const auto ringing = ringingStarts(out.starts.front(), training, {known.trusted.begin(), known.trusted.end()});
+    out.starts.insert(out.starts.end(), ringing.begin(), ringing.end());
   }
   if (!bench.servo) limitLateness(out.freedom, out.tracks);
   out.seen = excitationOf(training, out.starts.front());

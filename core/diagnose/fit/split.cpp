@@ -84,17 +84,25 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
   }
 }
 
-/// Leaves out windows with a missing row, in which a restless drive may have done anything, where most have none.
+/// The first row that a window's restart looks at, or one before.
+size_t lookedBackTo(const Window& window, const Track& track) {
+  size_t row = window.first;
+  while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
+  return row;
+}
+
+/// Leaves out windows with a missing row, in which a restless drive may have done anything, where a quarter have none.
+/// What it did before a window begins is in its first speed and current.
 void preferComplete(std::vector<Window>& windows, const std::vector<Track>& tracks) {
   std::vector<Window> complete;
   std::copy_if(windows.begin(), windows.end(), std::back_inserter(complete), [&tracks](const Window& window) {
     const Track& track = tracks[window.track];
-    for (size_t row = window.first; row < window.last; ++row) {
+    for (size_t row = lookedBackTo(window, track); row < window.last; ++row) {
       if (track.missingInput(row) > 0.0) return false;
     }
     return true;
   });
-  if (2 * complete.size() > windows.size()) windows = std::move(complete);
+  if (4 * complete.size() > windows.size()) windows = std::move(complete);
 }
 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
@@ -103,8 +111,7 @@ void dropUnknown(Split& split, const std::vector<Track>& tracks) {
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
     const Track& track = tracks[window.track];
-    size_t row = window.first;
-    while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
+    size_t row = lookedBackTo(window, track);
     double read_s = track.time[row];
     for (row -= row > 0 ? 1 : 0; row < window.last; ++row) {
       if (isGap(track.time[row + 1] - track.time[row], track.usualStep_s)) return true;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/statistics.h"
 #include "diagnose/simulate/recorded_input.h"
@@ -140,23 +141,35 @@ double usualSize(std::vector<double> values) {
   return quantile(std::move(values), 0.5) / 0.6745;
 }
 
-/// Where rows are missing, a drive that runs smoothly is put to its mean between the rows around. Sets how far it may
-/// have been from that.
+/// Where rows are missing, a drive that runs smoothly is put to its mean between the rows around; another holds, or has
+/// leapt already. Says how far either may have been from what it was: usually, and by how the rows around differ.
 void bridgeMissing(Track& track) {
   std::vector<double>& input = track.input;
   const std::vector<double> recorded = input;
   std::vector<double> changes, bends;
+  bool complete = true;
   for (size_t k = 1; k < recorded.size(); ++k) {
+    complete = complete && track.missingAfter(k - 1) == 0;
     changes.push_back(recorded[k] - recorded[k - 1]);
     if (k + 1 < recorded.size()) bends.push_back(recorded[k] - 0.5 * (recorded[k - 1] + recorded[k + 1]));
   }
-  track.inputChange = usualSize(std::move(changes));
-  const double bend = bends.empty() ? track.inputChange : usualSize(std::move(bends));
-  if (bend >= track.inputChange) return;
-  track.inputChange = bend;
+  if (complete) return;
+  const double change = usualSize(std::move(changes));
+  const double bend = bends.empty() ? change : usualSize(std::move(bends));
+  const bool smooth = bend < change;
+  track.missingDoubt.assign(recorded.size(), 0.0);
   for (size_t k = 0; k + 1 < recorded.size(); ++k) {
+    if (track.missingAfter(k) == 0) continue;
     const auto missing = static_cast<double>(track.missingAfter(k));
-    if (missing <= mostBridged) input[k] += 0.5 * missing / (missing + 1.0) * (recorded[k + 1] - recorded[k]);
+    const double leap = recorded[k + 1] - recorded[k];
+    if (!smooth || missing > mostBridged) {
+      track.missingDoubt[k] = std::hypot(change, leap * std::numbers::sqrt2 / 2.0);
+      continue;
+    }
+    input[k] += 0.5 * missing / (missing + 1.0) * leap;
+    // A cubic through the two rows before and after is off a line by this, amidst a single row that is missing.
+    const double before = recorded[k > 0 ? k - 1 : k], after = recorded[std::min(k + 2, recorded.size() - 1)];
+    track.missingDoubt[k] = std::hypot(bend, (recorded[k] + recorded[k + 1] - before - after) / 6.0);
   }
 }
 
@@ -214,6 +227,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.current = part(current);
   out.voltage = part(voltage);
   out.supply = part(supply);
+  out.missingDoubt = part(missingDoubt);
   out.temperature = part(temperature);
   out.supply_V = supply_V;
   out.drive = drive;
@@ -224,7 +238,6 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.speedNoise = speedNoise;
   out.speedCount = speedCount;
   out.inputNoise = inputNoise;
-  out.inputChange = inputChange;
   out.currentNoise = currentNoise;
   return out;
 }

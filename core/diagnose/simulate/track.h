@@ -34,10 +34,11 @@ struct Track {
   std::vector<double> input;
   std::vector<double> reference;       ///< rad, what a servo was asked for from the row to the next, where that drives
   std::vector<double> referenceSpeed;  ///< rad/s, the same; empty: not recorded
-  std::vector<double> push;     ///< added to what the law of a servo makes, in units of the input; empty: nothing
-  std::vector<char> seen;       ///< the row has a position
-  std::vector<char> bridged;    ///< its position lies on the line between two readings that are near; empty: none
-  std::vector<char> connected;  ///< windings not open
+  std::vector<double> missingDoubt;  ///< how far the input may have been off in the rows missing after one; empty: none
+  std::vector<double> push;          ///< added to what the law of a servo makes, in units of the input; empty: nothing
+  std::vector<char> seen;            ///< the row has a position
+  std::vector<char> bridged;         ///< its position lies on the line between two readings that are near; empty: none
+  std::vector<char> connected;       ///< windings not open
   std::vector<double> current;  ///< measured current in A where voltage or duty drives and it was recorded; else empty
   std::vector<double> voltage;  ///< recorded one in V where current drives; else empty
   std::vector<double> supply;   ///< recorded supply in V; empty: not recorded
@@ -51,7 +52,6 @@ struct Track {
   double speedNoise = 0.0;    ///< as `noise`, of a reading of `speed`, rad/s
   double speedCount = 0.0;    ///< step of the readings of `speed`, rad/s; 0: none is seen
   double inputNoise = 0.0;    ///< the same of a measured drive, A or V; 0 where the input is a command
-  double inputChange = 0.0;   ///< of the input from row to row, usually: what a missing row may have had more or less
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<Message> remarks;
 
@@ -68,7 +68,8 @@ struct Track {
   }
   /// Variance of the input's integral over the step after `row`: by what acted in missing rows, which nobody knows.
   double missingInput(size_t row) const {
-    const double step_s = inputChange * usualStep_s;
+    if (missingDoubt.empty()) return 0.0;
+    const double step_s = missingDoubt[row] * usualStep_s;
     return step_s * step_s * static_cast<double>(missingAfter(row));
   }
   bool speedAlone() const { return !speed.empty(); }
