@@ -5,6 +5,16 @@
 
 namespace breakaway {
 
+namespace {
+
+constexpr double shortestFriction_s = 0.05;  ///< correlation time of what makes a rig a bad one
+
+}  // namespace
+
+double lastingRms(const TorqueNoise& noise) {
+  return noise.rms * std::sqrt(std::min(1.0, noise.time_s / shortestFriction_s));
+}
+
 double mostWander(double coulomb, double peakTorque, const Criteria& criteria) {
   return criteria.soundPart * (coulomb > 0.0 ? coulomb : peakTorque);
 }

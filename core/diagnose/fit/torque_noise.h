@@ -14,6 +14,10 @@ struct TorqueNoise {
   double rms = 0.0;     ///< Nm or N
 };
 
+/// The rms that a torque that lasts as long as friction's at least would need to move a rotor as far in the long run:
+/// what comes and goes faster pushes as far by the root of how long it lasts. Nm or N.
+double lastingRms(const TorqueNoise& noise);
+
 /// How much torque may wander on a sound rig, Nm or N: a part of the friction, or of the drive's peak where there
 /// is no friction.
 double mostWander(double coulomb, double peakTorque, const Criteria& criteria);

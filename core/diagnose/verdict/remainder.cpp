@@ -7,6 +7,7 @@
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
 #include "diagnose/fit/noise_floor.h"
+#include "diagnose/fit/torque_noise.h"
 #include "diagnose/fit/torque_residual.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/physics.h"
@@ -160,7 +161,7 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
   const bool typically = exceeds(criteria.atFloor, rest.floors.perfect);
   rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, criteria.farOff * rest.floors.withWander);
   rest.wanders =
-      typically && rest.wander.rms > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
+      typically && lastingRms(rest.wander) > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
   rest.muchIsLeft = rest.part > criteria.soundPart;
   return rest;
 }
@@ -191,7 +192,7 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
 Message wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria) {
   const bool small = left.rms < friction;
   const double part = left.rms / (small ? friction : seen.peakTorque);
-  const bool sound = left.rms <= mostWander(friction, seen.peakTorque, criteria);
+  const bool sound = lastingRms(left) <= mostWander(friction, seen.peakTorque, criteria);
   return message("{} changes at random by {} rms, {} % of the {}: {}", torqueWord(seen.axis),
                  torqueText(left.rms, seen.axis), digitsText(100.0 * part),
                  small ? message("friction") : message("drive's peak"),
