@@ -18,6 +18,7 @@
 #include "recording/import/others_beside.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
+#include "recording/import/trials.h"
 
 namespace breakaway {
 
@@ -94,18 +95,6 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// A time goes up, seldom down, and doesn't stand still.
-bool goesUp(const RawColumn& column) {
-  size_t up = 0, down = 0;
-  double last = NAN;
-  for (const double value : column.channel.values) {
-    if (value > last) ++up;
-    if (value < last) ++down;
-    if (std::isfinite(value)) last = value;
-  }
-  return up > 0 && 20 * down <= up;
-}
-
 void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     Choice& choice = choices[c];
@@ -113,7 +102,12 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
     const bool only =
         std::count_if(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; }) == 1;
     const bool needed = choice.name.rank <= 1 && only;  // then a time that falls is an error with its row
-    if (!needed && !goesUp(table.columns[c])) setAside(choice, message("doesn't go on increasing, as a time does"));
+    if (needed) continue;
+    const auto& values = table.columns[c].channel.values;
+    if (goesUpInTrials(values, {})) continue;
+    const auto trials = trialsIn(table);
+    if (!trials || !goesUpInTrials(values, trials->borders))
+      setAside(choice, message("doesn't go on increasing, as a time does"));
   }
 }
 
@@ -182,11 +176,19 @@ void takeFirstAsTime(const RawTable& table, std::vector<Choice>& choices) {
   const NameParts parts = partsOfName(first.channel.name, first.unit);
   static constexpr auto numbers = std::to_array<std::string_view>(
       {"index", "idx", "sample", "samples", "frame", "step", "row", "id", "seq", "count", "counter", "no", "nr", "k"});
+  // What may go up in even steps and is no time: where something is, how much of it, how often.
+  static constexpr auto others = std::to_array<std::string_view>(
+      {"x",        "y",       "z",        "value",  "distance", "dist",    "way",    "length", "depth",     "height",
+       "level",    "width",   "range",    "radius", "place",    "volume",  "mass",   "weight", "load",      "freq",
+       "f",        "order",   "lap",      "turn",   "cycle",    "cycles",  "loop",   "iter",   "iteration", "epochs",
+       "point",    "pixel",   "line",     "node",   "block",    "address", "code",   "adc",    "dac",       "raw",
+       "register", "percent", "throttle", "gain",   "slip",     "stress",  "strain", "energy", "charge",    "soc",
+       "year",     "trial",   "episode",  "run",    "clk"});
   const bool strange = !first.channel.name.starts_with("column_") && !parts.words.empty() &&
                        std::none_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
                          const Word* quantity = quantityNamed(word);
                          return (quantity != nullptr && !quantity->weak) || isIn(numbers, word) || isNumber(word) ||
-                                isIn(referenceWords, word) || isIn(otherThings, word);
+                                isIn(referenceWords, word) || isIn(otherThings, word) || isIn(others, word);
                        });
   const bool timely = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::time;
   if (first.fault || values.size() < fewestRows || !strange || !timely || !hasEvenSteps(values)) return;
@@ -254,7 +256,8 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
     const size_t angle = bestFor(table, map, choices, "angle_rad"),
                  speed = bestFor(table, map, choices, "velocity_rad_per_s");
     again = std::max(angle, speed) < choices.size() &&
-            (setStrangersAside(table, angle, speed, choices) || preferNamesake(table, angle, speed, choices));
+            (preferMotorsSpeed(table, angle, speed, choices) || setStrangersAside(table, angle, speed, choices) ||
+             preferNamesake(table, angle, speed, choices));
   }
 }
 
@@ -349,6 +352,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   takeNamedAxes(table, choices);
   checkTimes(table, choices);
+  if (!map.sample_time_s) takeTimesInSteps(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
   if (!map.sample_time_s) takeFirstAsTime(table, choices);

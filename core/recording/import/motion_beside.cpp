@@ -229,6 +229,43 @@ bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, 
   return true;
 }
 
+namespace {
+
+/// Whether one is as fast as the other, whatever their signs and units.
+bool areAsFast(const std::vector<double>& one, const std::vector<double>& other) {
+  constexpr double alike = 0.9;
+  double both = 0.0, first = 0.0, second = 0.0;
+  for (size_t k = 0; k < one.size(); ++k) {
+    if (!std::isfinite(one[k]) || !std::isfinite(other[k])) continue;
+    both += std::abs(one[k] * other[k]);
+    first += one[k] * one[k];
+    second += other[k] * other[k];
+  }
+  return both > alike * std::sqrt(first * second);
+}
+
+}  // namespace
+
+bool preferMotorsSpeed(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
+  constexpr double little = 0.6;
+  const auto isOwned = [&](size_t c) {
+    const Choice& choice = choices[c];
+    return choice.byMap || choice.byTool || choice.name.qualified || !choice.name.group.empty() ||
+           namesMotor(table, choice, c);
+  };
+  if (isOwned(angle) || isOwned(speed)) return false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool motors = c != speed && choices[c].name.to == choices[speed].name.to && !choices[c].name.unit.empty() &&
+                        namesMotor(table, choices[c], c);
+    if (!motors || !(rangeOf(table.columns[c].channel.values) > 0.0) || commonOf(table, angle, c) > little) continue;
+    if (areAsFast(table.columns[speed].channel.values, table.columns[c].channel.values)) continue;
+    for (const size_t other : {angle, speed})
+      setAside(choices[other], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
+    return true;
+  }
+  return false;
+}
+
 bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
   constexpr double little = 0.6, most = 0.9;
   const auto isFixed = [&choices](size_t c) { return choices[c].byMap || choices[c].byTool; };

@@ -8,6 +8,11 @@
 
 namespace breakaway {
 
+/// Where angle and speed say nothing of whose they are, and another speed, in a unit of its own, is called a motor's or
+/// a wheel's and moves otherwise, they are how something leans that it drives: they are set aside. False where nothing
+/// is to be done.
+bool preferMotorsSpeed(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices);
+
 /// Where the angle that would be taken moves otherwise than the speed that would be, and another angle or speed beside
 /// them agrees, sets aside what is no motor's: a robot's tilt and its rate beside its wheel's speed; so is an angle of
 /// something with a name of its own ("pedal_pos") beside a motor's speed whose unit is told. `angle` and `speed` are

@@ -173,15 +173,6 @@ void takePresent(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// The name's words without those of quantities and references: what or whose it is.
-Words ownerOf(const std::string& name) {
-  Words words = wordsOf(name, true);
-  std::erase_if(words, [](const std::string& word) {
-    return isIn(referenceWords, word) || isIn(decorations, word) || quantityNamed(word) != nullptr;
-  });
-  return words;
-}
-
 /// "joint1_ref" beside "joint1_angle", with no other motion of that joint, is what the angle shall be.
 void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -306,6 +297,14 @@ ColumnName withoutUnknown(const RawColumn& column, ColumnName name) {
 }
 
 }  // namespace
+
+Words ownerOf(const std::string& name) {
+  Words words = wordsOf(name, true);
+  std::erase_if(words, [](const std::string& word) {
+    return isIn(referenceWords, word) || isIn(decorations, word) || quantityNamed(word) != nullptr;
+  });
+  return words;
+}
 
 std::string nameWithout(std::string name, const std::string& word) {
   const size_t at = lowered(name).rfind(word);

@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "recording/import/choose_columns.h"
+#include "recording/import/name_parts.h"
 #include "recording/import/raw_table.h"
 
 namespace breakaway {
+
+/// The name's words without those of quantities and references: what or whose it is.
+Words ownerOf(const std::string& name);
 
 /// The name without its last word that reads so, in small letters.
 std::string nameWithout(std::string name, const std::string& word);

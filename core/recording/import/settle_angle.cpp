@@ -1,8 +1,11 @@
 // A log's motion: angle, speed, what follows from one for the other, and whether it can be.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "base/numbers.h"
+#include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
 #include "recording/import/settling.h"
 
@@ -20,7 +23,12 @@ Result<void> Settling::takeAngle() {
     return {};
   }
   if (counts && !map_.counts_per_rev) countsBySpeed(*c);
-  if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
+  // An electrical angle tells nothing that a speed beside it needs.
+  const bool electrical = choices_[*c].name.needs == UnitNeeds::polePairs && !choices_[*c].byMap;
+  const bool spare = electrical && speed && choices_[*speed].name.needs == UnitNeeds::nothing;
+  const auto filled = fillNeed(*c, !spare);
+  if (!filled) return filled.error();
+  if (!*filled) return {};
   const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
   const double perTurn = choices_[*c].name.needs == UnitNeeds::polePairs ? map_.pole_pairs.value_or(1.0) : 1.0;
   std::optional<double> expected;
@@ -197,6 +205,30 @@ Result<void> Settling::takeSpeed() {
   if (fates_[*c].unit == "rps" && is(*c, "velocity_rad_per_s")) turnsOrRadians(*c);
   if (is(*c, "velocity_rad_per_s")) apply(*c);
   return {};
+}
+
+void Settling::setGearedAside() {
+  const auto angle = columnOf("angle_rad"), speed = columnOf("velocity_rad_per_s");
+  if (!angle || !speed || map_.gear_ratio) return;
+  const auto isTold = [this](size_t c) {
+    return !choices_[c].byMap && !choices_[c].byTool && !fates_[c].unit.empty() && !fates_[c].guessed &&
+           choices_[c].name.needs == UnitNeeds::nothing;
+  };
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});
+  const auto isMotors = [this](size_t c) { return firstIn(wordsOf(fates_[c].from, true), motors) != nullptr; };
+  if (!isTold(*angle) || choices_[*speed].byMap || fates_[*speed].unit.empty() || isMotors(*angle) == isMotors(*speed))
+    return;
+  const auto motion = motionOf(*angle, *speed);
+  constexpr double alike = 0.95, agrees = 1.2, unitsDiffer = 1.03;
+  if (!motion || motion->correlation < alike) return;
+  const double ratio = isMotors(*speed) ? 1.0 / motion->factor : motion->factor;
+  if (ratio < agrees) return;
+  for (const double units : {turn_rad, 360.0 / turn_rad, 360.0, 60.0, 60.0 / turn_rad, 6.0, 1000.0}) {
+    if (std::abs(std::log(ratio / units)) < std::log(unitsDiffer)) return;
+  }
+  const size_t motorsOwn = isMotors(*speed) ? *speed : *angle, other = isMotors(*speed) ? *angle : *speed;
+  keep(other, message("turns {} times as slowly as {}, as behind a gear", shortText(std::round(10.0 * ratio) / 10.0),
+                      fates_[motorsOwn].from));
 }
 
 void Settling::turnsOrRadians(size_t c) {

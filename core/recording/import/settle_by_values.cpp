@@ -1,4 +1,4 @@
-// What columns are that no name told: what drives the motion, and what it was to follow, by the values themselves.
+// What columns are that no name told: how fast it moves, and what drives it, by the values themselves.
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
@@ -66,31 +66,6 @@ double saidBy(const Spans& spans) {
     elsewhere += explainedBy(spans.drive.tail(left), spans.overcome.topRows(left)) / shares.size();
   }
   return explainedBy(spans.drive, spans.overcome) - elsewhere;
-}
-
-/// How much two columns have in common about their means, and how often the first stands in the second.
-struct Following {
-  double correlation = 0.0, slope = 0.0;
-};
-
-Following followingOf(const std::vector<double>& reference, const std::vector<double>& measured) {
-  MatrixXd both(reference.size(), 2);
-  Eigen::Index count = 0;
-  for (size_t k = 0; k < reference.size(); ++k) {
-    if (std::isfinite(reference[k]) && std::isfinite(measured[k])) both.row(count++) << reference[k], measured[k];
-  }
-  if (count == 0) return {};
-  const MatrixXd about = both.topRows(count).rowwise() - both.topRows(count).colwise().mean();
-  const double size = about.col(0).squaredNorm(), other = about.col(1).squaredNorm();
-  if (!(size > 0.0) || !(other > 0.0)) return {};
-  const double common = about.col(0).dot(about.col(1));
-  return {common / std::sqrt(size * other), common / size};
-}
-
-bool namesOnlyReference(const Words& words) {
-  return firstIn(words, referenceWords) != nullptr && std::all_of(words.begin(), words.end(), [](const auto& word) {
-           return isIn(referenceWords, word) || isIn(decorations, word);
-         });
 }
 
 }  // namespace
@@ -180,46 +155,6 @@ void Settling::takeDrivesByValues() {
     fate.guessed = true;
     fate.why = message("by its unit, and it goes with acceleration and friction as what drives a motor does");
     fate.doubt = fate.why;
-  }
-}
-
-void Settling::takeReferencesByValues() {
-  constexpr double follows = 0.75, least = 0.6, most = 1.6;
-  for (size_t c = 0; c < fates_.size(); ++c) {
-    if (!isFree(c)) continue;
-    const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
-    if (!namesOnlyReference(parts.words) || parts.unknownUnit) continue;
-    std::optional<size_t> best;
-    double bestScale = 1.0, bestCorrelation = follows;
-    for (const char* name : {"angle_rad", "velocity_rad_per_s"}) {
-      const auto measured = columnOf(name);
-      const std::string reference = std::string(name).insert(std::string(name).find('_'), "_reference");
-      if (!measured || columnOf(reference)) continue;
-      const bool fits =
-          parts.unit == nullptr || parts.unit->kind == (isAngle(name) ? UnitKind::angle : UnitKind::angularVelocity);
-      if (!fits || (parts.unit != nullptr && parts.unit->needs != UnitNeeds::nothing)) continue;
-      const double scale =
-          parts.unit == nullptr ? fates_[*measured].scale : parts.unit->scale * parts.factor * gear(name);
-      std::vector<double> shall = values(c);
-      convert(shall, scale, 0.0);
-      const Following one = followingOf(shall, values(*measured));
-      if (one.correlation < bestCorrelation || one.slope < least || one.slope > most) continue;
-      best = measured;
-      bestScale = scale;
-      bestCorrelation = one.correlation;
-    }
-    if (!best) continue;
-    ColumnFate& fate = fates_[c];
-    fate.kind = ColumnFate::Kind::used;
-    fate.to = std::string(fates_[*best].to).insert(fates_[*best].to.find('_'), "_reference");
-    fate.unit = parts.unit == nullptr ? fates_[*best].unit : parts.unitText;
-    fate.scale = bestScale;
-    fate.offset = 0.0;
-    fate.guessed = true;
-    fate.why = message("{} follows it", fates_[*best].from);
-    fate.doubt = fate.why;
-    convert(values(c), bestScale, 0.0);
-    settled_.insert(c);
   }
 }
 

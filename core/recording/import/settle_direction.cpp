@@ -107,7 +107,8 @@ bool Settling::tellsDirection(size_t c) const {
   const NameParts parts = partsOfName(fate.from, {});
   return open && firstIn(parts.words, directionWords) != nullptr &&
          std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
-           return isIn(directionWords, word) || isIn(jointWords, word) || isIn(decorations, word);
+           return isIn(directionWords, word) || isIn(jointWords, word) || isIn(decorations, word) ||
+                  isIn(referenceWords, word);
          });
 }
 

@@ -86,28 +86,6 @@ Result<void> Settling::takeOther(size_t c) {
   return {};
 }
 
-void Settling::takeReferenceUnit(size_t c) {
-  const std::string& to = fates_[c].to;
-  const bool angle = to == "angle_reference_rad";
-  const auto measured = columnOf(angle ? "angle_rad" : "velocity_rad_per_s");
-  if ((!angle && to != "velocity_reference_rad_per_s") || !fates_[c].unit.empty() || !measured) return;
-  fates_[c].scale = fates_[*measured].scale / gear(to);
-  fates_[c].unit = fates_[*measured].unit;
-  fates_[c].why = message("in the unit of {}", fates_[*measured].from);
-  constexpr double far = 4.0, near = 1.5;  // times as much
-  const double goes = rangeOf(values(*measured)), shall = rangeOf(values(c));
-  const auto times = [&](double scale) { return std::exp(std::abs(std::log(scale * gear(to) * shall / goes))); };
-  if (!(goes > 0.0) || !(shall > 0.0) || times(fates_[c].scale) < far) return;
-  for (const char* unit : angle ? std::array{"rad", "deg", "turns"} : std::array{"rad/s", "deg/s", "rpm"}) {
-    if (times(unitNamed(unit)->scale) > near) continue;
-    fates_[c].scale = unitNamed(unit)->scale;
-    fates_[c].unit = unit;
-    fates_[c].why = message("so it goes about as far as {}", fates_[*measured].from);
-    return;
-  }
-  keep(c, message("goes neither as far as {} nor as it would in another unit", fates_[*measured].from));
-}
-
 bool Settling::setCountsAside(size_t c) {
   const std::string& to = fates_[c].to;
   const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";

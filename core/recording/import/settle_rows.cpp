@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "recording/import/name_parts.h"
 #include "recording/import/settling.h"
+#include "recording/import/trials.h"
 
 namespace breakaway {
 
@@ -57,6 +59,7 @@ Result<void> Settling::takeTime() {
     convert(raw.values, 1.0, fates_[*c].offset / (fates_[*c].scale == 0.0 ? 1.0 : fates_[*c].scale));
     settled_.insert(*c);
     raw.newFile = newFile_;
+    followTrials(raw);
   }
   auto time = settleTime(std::move(raw), path_);
   if (!time) return time.error();
@@ -77,6 +80,23 @@ Result<void> Settling::takeTime() {
   }
   takeRows(c.value_or(choices_.size()));
   return {};
+}
+
+void Settling::followTrials(RawTime& raw) {
+  const auto trials = trialsIn(table_);
+  if (!trials || raw.clock) return;
+  std::vector<size_t> falls;
+  for (const size_t border : trials->borders) {
+    if (raw.values[border] <= raw.values[border - 1]) falls.push_back(border);
+  }
+  if (falls.empty()) return;
+  const std::string& column = table_.columns[trials->column].channel.name;
+  remarks_.push_back(
+      message("{} parts the rows into {}, and the clock begins anew in {} of them, 1 s later here; --map {} parts them",
+              column, trials->borders.size() + 1, falls.size(), "{\"split\": \"" + column + "\"}"));
+  std::vector<size_t> all;
+  std::set_union(falls.begin(), falls.end(), raw.newFile.begin(), raw.newFile.end(), std::back_inserter(all));
+  raw.newFile = std::move(all);
 }
 
 std::string Settling::unitNameOf(double unit_s) {

@@ -67,6 +67,7 @@ Result<Imported> Settling::run() {
   takeSpeedByValues();
   if (const auto done = takeSpeed(); !done) return done.error();
   settleTimeByMotion();
+  setGearedAside();
   takeDrivesByValues();
   takeReferencesByValues();
   if (const auto done = takeDuty(); !done) return done.error();

@@ -113,7 +113,7 @@ void unwrapCounter(RawTime& raw, double step, std::vector<Message>& remarks) {
     double& value = raw.values[k];
     if (!std::isfinite(value)) continue;
     const double now = value + lost;
-    const bool border = std::find(raw.newFile.begin(), raw.newFile.end(), k) != raw.newFile.end();
+    const bool border = std::binary_search(raw.newFile.begin(), raw.newFile.end(), k);
     const double period = now < last && !border ? wrapBetween(last, now, step, periods) : 0.0;
     if (period > 0.0) ++wraps;
     lost += period;
@@ -163,7 +163,7 @@ void followOn(RawTime& raw, double step, double pause, std::vector<Message>& rem
   double shift = 0.0, highest = NAN;
   size_t resets = 0, firstReset = 0;
   for (size_t k = 0; k < raw.values.size(); ++k) {
-    const bool border = std::find(raw.newFile.begin(), raw.newFile.end(), k) != raw.newFile.end();
+    const bool border = std::binary_search(raw.newFile.begin(), raw.newFile.end(), k);
     const double now = raw.values[k] + shift;
     if (std::isfinite(highest) && (now < highest || (border && now == highest))) {
       std::vector<double> next(raw.values.begin() + static_cast<std::ptrdiff_t>(k),

@@ -14,7 +14,7 @@ struct RawTime {
   double origin = 0.0;
   std::optional<double> unit_s;  ///< nothing: judged by the values
   bool clock = false;            ///< times of day or dates
-  std::vector<size_t> newFile;   ///< rows with which a further file or part begins
+  std::vector<size_t> newFile;   ///< rows with which a further file or part begins, in order
 };
 
 struct SettledTime {

@@ -38,6 +38,8 @@ class Settling {
   /// Rows of several motors in turn are no motion of one.
   Result<void> needOneAxis();
   Result<void> takeTime();
+  /// Where trials stand one below the other, a clock that falls between them begins anew.
+  void followTrials(RawTime& raw);
   static std::string unitNameOf(double unit_s);
   /// Where no column is the time, one that tells how long each row came after the one before makes it.
   std::optional<size_t> sumSteps();
@@ -69,6 +71,8 @@ class Settling {
   /// A unit for a speed that nothing else tells.
   Result<void> nameSpeedUnit(size_t c, bool alone);
   void speedByAngle(size_t c, size_t angle);
+  /// Where only one of angle and speed is called the motor's and the other one turns more slowly, it is behind a gear.
+  void setGearedAside();
   /// "rps" are either, which only an angle tells.
   void turnsOrRadians(size_t c);
   /// Angle and speed tell the unit of the time where nothing else does.
@@ -79,6 +83,12 @@ class Settling {
   /// References without a unit are counted as what was measured is, or so that they go about as far; one that does so
   /// in no unit stays unused.
   void takeReferenceUnit(size_t c);
+  /// One that never changes, and not to where or as fast as what was measured goes.
+  bool staysElsewhere(size_t reference, size_t measured);
+  /// Whether the one has anything in common with the other, at once or some rows later.
+  bool isFollowed(size_t reference, size_t measured);
+  /// Where no speed is known, the angle's changes tell the unit of what the speed shall be.
+  void speedReferenceByAngle(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);
   /// A supply's voltage is never negative; one that is drives the motor.

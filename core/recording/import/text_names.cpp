@@ -277,6 +277,19 @@ std::optional<std::pair<size_t, std::string_view>> numberedName(std::string_view
                    withoutBlanks(text.substr(begin))};
 }
 
+/// "COLS,t,rpm" behind a comment's mark: a word that says what follows, and then one cell for each column.
+std::string_view withoutNamesWord(std::string_view line, const TextLayout& layout) {
+  const size_t end = line.find(layout.separator);
+  if (end == std::string_view::npos) return line;
+  for (const std::string_view word : {"columns", "cols", "fields", "names", "header", "head"}) {
+    if (!isSameWord(withoutBlanks(line.substr(0, end)), word)) continue;
+    Cells cells;
+    splitCells(line, layout, cells);
+    return cells.size() == layout.cells + 1 ? withoutBlanks(line.substr(end + 1)) : line;
+  }
+  return line;
+}
+
 /// "1 time stamp (sec)", below it "2 motor voltage": the columns' names by their numbers, from 0 or 1 on; as many as
 /// there are columns.
 void readNumberedNames(const std::vector<std::string_view>& lines, TextNames& found) {
@@ -322,7 +335,7 @@ TextNames namesBefore(const std::vector<std::string_view>& before, std::string_v
   for (const std::string_view line : before) {
     if (line.find_first_not_of("-|=+: \t_~\r") == std::string_view::npos) continue;  // a rule, as in Markdown
     if (isComment(withoutBlanks(line))) {
-      comments.push_back(withoutCommentMark(line));
+      comments.push_back(withoutNamesWord(withoutCommentMark(line), layout));
     } else {
       plain.push_back(line);
     }
