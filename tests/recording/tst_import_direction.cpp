@@ -40,6 +40,9 @@ void TestImportDirection::speedWithoutASign_hasThatOfTheDirection_data() {
   QTest::newRow("1 and -1") << "direction"
                             << "1"
                             << "-1" << true << true;
+  QTest::newRow("a direction that is commanded") << "dir_cmd"
+                                                 << "1"
+                                                 << "-1" << true << true;
   QTest::newRow("words") << "Motor_Direction"
                          << "FWD"
                          << "REV" << true << true;

@@ -47,7 +47,8 @@ std::string strangeWord(const RawColumn& column, const Choice& choice) {
   if (!choice.name.unknownWord.empty() || choice.name.understood() || column.fault) return choice.name.unknownWord;
   std::string strange;
   for (const std::string& word : partsOfName(column.channel.name, column.unit).plain) {
-    if (word.size() < 2 || isKnownWord(word) || isNumber(word)) continue;
+    const std::string_view bare = std::string_view(word).substr(0, word.find_last_not_of("0123456789") + 1);
+    if (word.size() < 2 || isKnownWord(word) || isNumber(word) || isIn(otherSources, bare)) continue;  // "mppt0"
     if (!strange.empty()) return {};
     strange = word;
   }
@@ -95,6 +96,21 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+bool namesTime(const RawColumn& column) {
+  const NameParts parts = partsOfName(column.channel.name, column.unit);
+  return parts.words.empty() || std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+           const Word* quantity = quantityNamed(word);
+           return quantity != nullptr && quantity->kind == UnitKind::time;
+         });
+}
+
+bool seldomFalls(const std::vector<double>& values) {
+  constexpr size_t rows = 100;  // of which one may
+  size_t falls = 0;
+  for (size_t k = 1; k < values.size(); ++k) falls += values[k] < values[k - 1] ? 1 : 0;
+  return rows * falls <= values.size();
+}
+
 void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     Choice& choice = choices[c];
@@ -104,9 +120,10 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
     const bool needed = choice.name.rank <= 1 && only;  // then a time that falls is an error with its row
     if (needed) continue;
     const auto& values = table.columns[c].channel.values;
-    if (goesUpInTrials(values, {})) continue;
+    const bool onlyUnit = !namesTime(table.columns[c]);  // "total_us" may be how long something took
+    if (goesUpInTrials(values, {}) && (!onlyUnit || seldomFalls(values))) continue;
     const auto trials = trialsIn(table);
-    if (!trials || !goesUpInTrials(values, trials->borders))
+    if (!trials || onlyUnit || !goesUpInTrials(values, trials->borders))
       setAside(choice, message("doesn't go on increasing, as a time does"));
   }
 }

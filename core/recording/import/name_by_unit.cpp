@@ -85,6 +85,8 @@ Message notTheMotors(UnitKind kind, const Words& words, bool supply) {
       std::any_of(words.begin(), words.end(), [](const std::string& word) { return isSingleLetter(word, "abcuvw"); });
   const bool phase = letter || has("pha") || has("phb") || has("phc") || has("ia") || has("ib") || has("ic");
   if (!q && phase && words.size() > 1) return message("is one phase's");
+  const std::string* other = has("motor") || has("mot") ? nullptr : firstIn(words, otherSources);
+  if (other != nullptr) return message("\"{}\" is not what the motor gives", *other);
   return {};
 }
 

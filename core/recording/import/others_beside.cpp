@@ -7,6 +7,7 @@
 #include "recording/import/columns_beside.h"
 #include "recording/import/joined_words.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -85,9 +86,44 @@ void setOthersTorquesAside(const RawTable& table, std::vector<Choice>& choices) 
   }
 }
 
+/// "index_torque" beside "index_position" is of that, where the motion that was taken is "arm_position".
+void setOthersDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto motions = std::to_array<UnitKind>({UnitKind::angle, UnitKind::angularVelocity});
+  static constexpr auto drives = std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty"});
+  const auto ownerAt = [&table](size_t c) {
+    Words owner = ownerOf(table.columns[c].channel.name);
+    std::erase_if(owner, [](const std::string& word) { return isNumber(word); });
+    return owner;
+  };
+  const auto motion = std::find_if(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "angle_rad" || one.name.to == "velocity_rad_per_s";
+  });
+  if (motion == choices.end()) return;
+  const size_t taken = static_cast<size_t>(motion - choices.begin());
+  const Words mover = ownerAt(taken);
+  if (mover.empty()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const Words owner = ownerAt(c);
+    const bool open = isIn(drives, choices[c].name.to) && !choices[c].byMap && !choices[c].byTool;
+    if (!open || owner.empty() || owner == mover || firstIn(owner, mover) != nullptr) continue;
+    for (size_t k = 0; k < choices.size(); ++k) {
+      const Words words = wordsOf(table.columns[k].channel.name, true);
+      const bool moves = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        const Word* quantity = quantityNamed(word);
+        return quantity != nullptr && !quantity->weak &&
+               std::find(motions.begin(), motions.end(), quantity->kind) != motions.end();
+      });
+      if (k == taken || !moves || ownerAt(k) != owner || firstIn(words, referenceWords) != nullptr) continue;
+      setAside(choices[c], message("belongs to {}, which isn't taken", table.columns[k].channel.name));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 void setOthersAside(const RawTable& table, std::vector<Choice>& choices) {
+  setOthersDrivesAside(table, choices);
   setOthersReferencesAside(table, choices);
   setOthersTorquesAside(table, choices);
 }

@@ -186,6 +186,7 @@ inline constexpr auto units = std::to_array<Unit>({
     {"r_per_min", angularVelocity, turn_rad / 60},
     {"d_per_min", angularVelocity, turn_rad / 60},
     {"erpm", angularVelocity, turn_rad / 60, 0, UnitNeeds::polePairs},
+    {"erps", angularVelocity, turn_rad, 0, UnitNeeds::polePairs},
     {"erad_per_s", angularVelocity, 1, 0, UnitNeeds::polePairs},
     {"count_per_s", angularVelocity, turn_rad, 0, UnitNeeds::countsPerRev},
     {"pps", angularVelocity, turn_rad, 0, UnitNeeds::countsPerRev},

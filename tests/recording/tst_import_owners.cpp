@@ -1,0 +1,216 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "recording/import/import.h"
+#include "support/imported_log.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::meaning;
+using breakaway::test::TemporaryFolder;
+
+/// Whose a column is in wide logs: another machine's, another joint's, what a motor drives, what nothing follows.
+class TestImportOwners : public QObject {
+  Q_OBJECT
+ private slots:
+  void referenceInNoUnit_isTakenOnlyIfItIsFollowed_data();
+  void referenceInNoUnit_isTakenOnlyIfItIsFollowed();
+  void speedReferenceBesideAnAngle_hasTheUnitInWhichItIsFollowed_data();
+  void speedReferenceBesideAnAngle_hasTheUnitInWhichItIsFollowed();
+  void leanBesideAWheelsSpeed_isKept_data();
+  void leanBesideAWheelsSpeed_isKept();
+  void angleBehindAGear_isKeptBesideTheMotorsSpeed_data();
+  void angleBehindAGear_isKeptBesideTheMotorsSpeed();
+  void signalsOfAVehicle_areNoMotorsVoltage_data();
+  void signalsOfAVehicle_areNoMotorsVoltage();
+  void torqueOfAnotherJoint_isKept();
+  void electricalAngleBesideASpeed_asksForNothing();
+  void electricalTurnsPerSecond_askForPolePairs();
+  void wordBeforeNamesInAComment_isNoName();
+
+ private:
+  using Wave = std::function<double(int)>;
+  Result<Imported> logOf(const std::vector<std::pair<const char*, Wave>>& columns, const ImportMap& map = {}) {
+    QString text = "time_s";
+    for (const auto& [name, at] : columns) text += QString(",") + name;
+    for (int k = 0; k < 400; ++k) {
+      text += QString("\n%1").arg(0.01 * k);
+      for (const auto& [name, at] : columns) text += "," + QString::number(at(k), 'g', 9);
+    }
+    return importRecording(folder_.write("log.csv", text.toStdString() + "\n"), map);
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr double toDegrees = 180.0 / std::numbers::pi, toRpm = 30.0 / std::numbers::pi;
+
+/// A motion both ways, in rad and rad/s.
+static double turnedAt(int k) {
+  const double t = 0.01 * k;
+  return 4.0 * std::sin(2.0 * t) + 1.5 * std::sin(5.3 * t + 1.0);
+}
+
+static double speedAt(int k) {
+  const double t = 0.01 * k;
+  return 8.0 * std::cos(2.0 * t) + 7.95 * std::cos(5.3 * t + 1.0);
+}
+
+static double elsewhereAt(int k) {
+  return 12.0 * std::sin(0.31 * k + 0.4);
+}
+
+void TestImportOwners::referenceInNoUnit_isTakenOnlyIfItIsFollowed_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<int>("kind");  // followed, another motion, never changes
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("followed") << "speed_target" << 0 << true;
+  QTest::newRow("of another thing, followed") << "hull_speed_target" << 0 << true;
+  QTest::newRow("of another thing, not followed") << "hull_speed_target" << 1 << false;
+  QTest::newRow("never changes, far from it") << "angular_vel_request" << 2 << false;
+}
+
+void TestImportOwners::referenceInNoUnit_isTakenOnlyIfItIsFollowed() {
+  QFETCH(QString, name);
+  QFETCH(int, kind);
+  QFETCH(bool, taken);
+  const QByteArray called = name.toUtf8();
+  const auto log = logOf({{"motor_rpm", [](int k) { return speedAt(k) * toRpm; }},
+                          {called.constData(), [kind](int k) {
+                             return kind == 0 ? speedAt(k + 2) * toRpm : kind == 1 ? elsewhereAt(k) * toRpm : 0.1;
+                           }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name), taken ? std::string("velocity_reference_rad_per_s") : std::string());
+}
+
+void TestImportOwners::speedReferenceBesideAnAngle_hasTheUnitInWhichItIsFollowed_data() {
+  QTest::addColumn<double>("perRadian");
+  QTest::addColumn<bool>("follows");
+  QTest::newRow("rad/s") << 1.0 << true;
+  QTest::newRow("deg/s") << toDegrees << true;
+  QTest::newRow("rpm") << toRpm << true;
+  QTest::newRow("not followed") << 1.0 << false;
+}
+
+void TestImportOwners::speedReferenceBesideAnAngle_hasTheUnitInWhichItIsFollowed() {
+  QFETCH(double, perRadian);
+  QFETCH(bool, follows);
+  const auto log = logOf({{"pos_turns", [](int k) { return turnedAt(k) / (2.0 * std::numbers::pi); }},
+                          {"vel_ref", [=](int k) { return (follows ? speedAt(k + 2) : elsewhereAt(k)) * perRadian; }}});
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.has("velocity_reference_rad_per_s"), follows);
+  if (!follows) return;
+  QVERIFY(std::abs(log->recording.channel("velocity_reference_rad_per_s")[100] - speedAt(102)) < 1e-4);
+  QVERIFY(log->columns[2].guessed);
+}
+
+void TestImportOwners::leanBesideAWheelsSpeed_isKept_data() {
+  QTest::addColumn<bool>("leans");
+  QTest::newRow("a lean") << true;
+  QTest::newRow("the wheel's own angle") << false;
+}
+
+void TestImportOwners::leanBesideAWheelsSpeed_isKept() {
+  QFETCH(bool, leans);
+  const auto log =
+      logOf({{"theta_deg", [=](int k) { return leans ? 5.0 * std::sin(0.2 * k) : turnedAt(k) * toDegrees; }},
+             {"theta_dot_dps", [=](int k) { return leans ? 100.0 * std::cos(0.2 * k) : speedAt(k) * toDegrees; }},
+             {"wheel_rpm", [](int k) { return speedAt(k) * toRpm; }},
+             {"cmd_rpm", [](int k) { return speedAt(k + 1) * toRpm; }}});
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.has("angle_rad"), !leans);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - speedAt(50)) < 1e-4);
+  QCOMPARE(meaning(*log, "cmd_rpm"), std::string("velocity_reference_rad_per_s"));
+}
+
+void TestImportOwners::angleBehindAGear_isKeptBesideTheMotorsSpeed_data() {
+  QTest::addColumn<double>("ratio");
+  QTest::addColumn<bool>("angle");
+  QTest::newRow("a gear of 50") << 50.0 << false;
+  QTest::newRow("none") << 1.0 << true;
+  QTest::newRow("a unit that is wrong") << 6.0 << true;
+}
+
+void TestImportOwners::angleBehindAGear_isKeptBesideTheMotorsSpeed() {
+  QFETCH(double, ratio);
+  QFETCH(bool, angle);
+  const auto log = logOf({{"angle_deg", [=](int k) { return turnedAt(k) * toDegrees / ratio; }},
+                          {"motor_speed_rpm", [](int k) { return speedAt(k) * toRpm; }}});
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.has("angle_rad"), angle);
+  QVERIFY(log->recording.has("velocity_rad_per_s"));
+  const bool said = std::any_of(log->remarks.begin(), log->remarks.end(),
+                                [](const std::string& one) { return one.starts_with("implausible"); });
+  QCOMPARE(said, ratio == 6.0);
+}
+
+void TestImportOwners::signalsOfAVehicle_areNoMotorsVoltage_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("motors");
+  QTest::newRow("throttle") << "Throttle Voltage (V)" << false;
+  QTest::newRow("brake") << "Brake Voltage (V)" << false;
+  QTest::newRow("a sun's panel") << "MPPT0 Current (A)" << false;
+  QTest::newRow("a motor's") << "Motor Voltage (V)" << true;
+}
+
+void TestImportOwners::signalsOfAVehicle_areNoMotorsVoltage() {
+  QFETCH(QString, name);
+  QFETCH(bool, motors);
+  const QByteArray called = name.toUtf8();
+  const auto log = logOf({{"motor_rpm", [](int k) { return speedAt(k) * toRpm; }},
+                          {called.constData(), [](int k) { return 3.0 * std::sin(0.02 * k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name).empty(), !motors);
+}
+
+void TestImportOwners::torqueOfAnotherJoint_isKept() {
+  const auto log = logOf({{"arm_joint_1_position", turnedAt},
+                          {"arm_joint_1_velocity", speedAt},
+                          {"index_1_position", [](int k) { return std::sin(0.05 * k); }},
+                          {"index_1_torque", [](int k) { return 0.2 * std::cos(0.05 * k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "arm_joint_1_position"), std::string("angle_rad"));
+  QVERIFY(meaning(*log, "index_1_torque").empty());
+}
+
+void TestImportOwners::electricalAngleBesideASpeed_asksForNothing() {
+  const auto electrical = [](int k) { return std::fmod(100.0 + 4.0 * turnedAt(k), 2.0 * std::numbers::pi); };
+  const auto log =
+      logOf({{"motor_rpm", [](int k) { return speedAt(k) * toRpm; }}, {"electrical_angle_rad", electrical}});
+  VERIFY_OK(log);
+  QVERIFY(!log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
+  ImportMap map;
+  map.pole_pairs = 4;
+  const auto told =
+      logOf({{"motor_rpm", [](int k) { return speedAt(k) * toRpm; }}, {"electrical_angle_rad", electrical}}, map);
+  VERIFY_OK(told);
+  const auto angle = told->recording.channel("angle_rad");
+  QVERIFY(std::abs(angle[200] - angle[0] - (turnedAt(200) - turnedAt(0))) < 1e-4);
+}
+
+void TestImportOwners::electricalTurnsPerSecond_askForPolePairs() {
+  const auto asked = logOf({{"erps", [](int k) { return 20.0 + speedAt(k); }}});
+  QVERIFY(!asked.ok());
+  QVERIFY2(asked.error().message().find("pole_pairs") != std::string::npos, asked.error().message().c_str());
+  ImportMap map;
+  map.pole_pairs = 8;
+  const auto told = logOf({{"erps", [](int k) { return 20.0 + speedAt(k); }}}, map);
+  VERIFY_OK(told);
+  QVERIFY(std::abs(told->recording.channel("velocity_rad_per_s")[10] -
+                   (20.0 + speedAt(10)) * 2.0 * std::numbers::pi / 8.0) < 1e-6);
+}
+
+void TestImportOwners::wordBeforeNamesInAComment_isNoName() {
+  QString text = "#PHASE,0=idle,1=up\n#COLS,t_us,phase,rpm,bus_mv\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,1,%2,%3\n").arg(10000 * k).arg(100.5 + k).arg(24000 - k);
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("time_s")[59] - 0.59) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[0] - 100.5 / toRpm) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("supply_V")[0] - 24.0) < 1e-9);
+}
+
+QTEST_APPLESS_MAIN(TestImportOwners)
+#include "tst_import_owners.moc"
