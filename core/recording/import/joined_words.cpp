@@ -43,7 +43,7 @@ size_t secondWordIn(std::string_view word) {
 
 bool isKnownWord(std::string_view word) {
   return quantityNamed(word) != nullptr || standsBeside(word) || isIn(decorations, word) || isIn(headings, word) ||
-         isIn(loopWords, word) || isIn(otherSources, word) || unitNamed(word) != nullptr;
+         isIn(loopWords, word) || unitNamed(word) != nullptr;
 }
 
 void partJoined(Words& words) {

@@ -103,7 +103,8 @@ void Settling::takeReferenceUnit(size_t c) {
   }
   if (times(fates_[c].scale) < far) {
     const bool namesake = ownerOf(fates_[c].from) == ownerOf(fates_[*measured].from);
-    if (!namesake && !choices_[c].byMap && !isFollowed(c, *measured))
+    const bool byItself = understandName(fates_[c].from, table_.columns[c].unit).to == to;  // not by names beside it
+    if (byItself && !namesake && !choices_[c].byMap && !isFollowed(c, *measured))
       keep(c, message("is called by something else than {}, which doesn't follow it", fates_[*measured].from));
     return;
   }
