@@ -26,7 +26,13 @@ class TestImportOwners : public QObject {
   void angleBehindAGear_isKeptBesideTheMotorsSpeed();
   void signalsOfAVehicle_areNoMotorsVoltage_data();
   void signalsOfAVehicle_areNoMotorsVoltage();
+  void currentBesideThePhases_isTheSupplys();
+  void speedOfAVehicle_isAskedAbout();
   void torqueOfAnotherJoint_isKept();
+  void unitOfAngles_isToldAboveTheTable_data();
+  void unitOfAngles_isToldAboveTheTable();
+  void labelOfASeries_isItsAxis();
+  void deviationInAnotherLanguage_isNoAngle();
   void electricalAngleBesideASpeed_asksForNothing();
   void electricalTurnsPerSecond_askForPolePairs();
   void wordBeforeNamesInAComment_isNoName();
@@ -163,6 +169,63 @@ void TestImportOwners::signalsOfAVehicle_areNoMotorsVoltage() {
                           {called.constData(), [](int k) { return 3.0 * std::sin(0.02 * k); }}});
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, name).empty(), !motors);
+}
+
+void TestImportOwners::currentBesideThePhases_isTheSupplys() {
+  const auto log = logOf({{"motor_rpm", [](int k) { return speedAt(k) * toRpm; }},
+                          {"current", [](int k) { return 3.0 * std::sin(0.02 * k); }},
+                          {"phase_current", [](int k) { return 9.0 * std::sin(0.02 * k); }},
+                          {"Irms1[A]", [](int k) { return 7.0 + std::sin(0.02 * k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "phase_current"), std::string("current_A"));
+  QVERIFY(meaning(*log, "current").empty() && meaning(*log, "Irms1[A]").empty());
+}
+
+void TestImportOwners::speedOfAVehicle_isAskedAbout() {
+  const auto speed = [](int k) { return 10.25 + std::sin(0.02 * k); };
+  const auto log = logOf({{"speed", speed}, {"totaldistance", [](int k) { return 0.1 * k; }}});
+  QVERIFY(!log.ok());
+  QVERIFY2(log.error().message().find("velocity_m_per_s") != std::string::npos, log.error().message().c_str());
+  VERIFY_OK(logOf({{"speed", speed}, {"other", [](int k) { return 0.1 * k; }}}));
+}
+
+void TestImportOwners::unitOfAngles_isToldAboveTheTable_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<double>("scale");
+  QTest::addColumn<bool>("guessed");
+  QTest::newRow("in degrees") << "inDegrees=yes" << 1.0 / toDegrees << false;
+  QTest::newRow("in radians") << "# All angles are in radians." << 1.0 << false;
+  QTest::newRow("nothing said") << "version=1" << 1.0 << true;
+}
+
+void TestImportOwners::unitOfAngles_isToldAboveTheTable() {
+  QFETCH(QString, line);
+  QFETCH(double, scale);
+  QFETCH(bool, guessed);
+  QString text = "Coordinates\n" + line + "\nendheader\ntime\tknee_angle_r\n";
+  for (int k = 0; k < 80; ++k) text += QString("%1\t%2\n").arg(0.01 * k).arg(20.0 * std::sin(0.1 * k));
+  const auto log = importRecording(folder_.write("log.mot", text.toStdString()));
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - 20.0 * std::sin(1.0) * scale) < 1e-3);
+  QCOMPARE(log->columns[1].guessed, guessed);
+}
+
+void TestImportOwners::labelOfASeries_isItsAxis() {
+  QString text =
+      R"(time_s,"motor_speed_rpm{axis=""1""}","motor_speed_rpm{axis=""2""}","motor_current_amps{axis=""2""}")";
+  for (int k = 0; k < 80; ++k)
+    text += QString("\n%1,%2,%3,%4").arg(0.01 * k).arg(speedAt(k)).arg(elsewhereAt(k)).arg(std::sin(0.1 * k));
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString() + "\n"));
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[0] - speedAt(0) / toRpm) < 1e-4);
+  QVERIFY(!log->recording.has("current_A"));
+}
+
+void TestImportOwners::deviationInAnotherLanguage_isNoAngle() {
+  const auto log = logOf({{"\xe5\xae\x9f\xe9\x80\x9f\xe5\xba\xa6[min-1]", [](int k) { return speedAt(k) * toRpm; }},
+                          {"\xe4\xbd\x8d\xe7\xbd\xae\xe5\x81\x8f\xe5\xb7\xae[pulse]", elsewhereAt}});
+  VERIFY_OK(log);
+  QVERIFY(log->recording.has("velocity_rad_per_s") && !log->recording.has("angle_rad"));
 }
 
 void TestImportOwners::torqueOfAnotherJoint_isKept() {

@@ -94,7 +94,7 @@ Words withoutWord(Words words, size_t at) {
 
 /// Words that make it something else wherever they stand; a joint's "roll" becomes its axis.
 Message otherThing(NameParts& parts) {
-  if (const std::string* other = firstIn(parts.words, otherThings)) {
+  if (const std::string* other = otherThingIn(parts.words)) {
     const bool clock = isIn(parts.words, "time") || isIn(parts.words, "t");
     const bool sinceStart = parts.unit != nullptr && parts.unit->kind == UnitKind::time && *other == "offset";
     if ((!clock || (*other != "sim" && !sinceStart)) && (*other != "sum" || parts.words.size() > 1))

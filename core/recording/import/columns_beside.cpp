@@ -117,6 +117,23 @@ void setTensionsAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "current" beside "phase_current" is what the supply gives.
+void setSupplysCurrentAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto isCalled = [&](size_t c, bool phase) {
+    Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
+    const bool phases = std::erase(words, "phase") > 0;
+    return choices[c].name.to == "current_A" && !choices[c].byMap && !choices[c].byTool && phases == phase &&
+           words.size() == 1;
+  };
+  for (size_t motors = 0; motors < choices.size(); ++motors) {
+    if (!isCalled(motors, true)) continue;
+    for (size_t c = 0; c < choices.size(); ++c) {
+      if (c != motors && isCalled(c, false) && choices[c].name.group == choices[motors].name.group)
+        setAside(choices[c], message("is the supply's current, not the motor's"));
+    }
+  }
+}
+
 /// "u" within ±1 that goes with the duty is a controller's output, and no voltage.
 void setOutputsAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto duty =
@@ -240,6 +257,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setTiltAside(table, choices);
   preferWheelsAndCarts(table, choices);
   setPidTermsAside(table, choices);
+  setSupplysCurrentAside(table, choices);
   setPresentAside(table, choices);
   setLinesAside(table, choices);
   setStepsAside(table, choices);

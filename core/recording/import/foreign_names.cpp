@@ -44,7 +44,7 @@ void takeForeignNames(const RawTable& table, std::vector<Choice>& choices) {
     for (size_t c = 0; c < choices.size(); ++c) {
       const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
       if (parts.unit == nullptr || parts.unit->kind != kind || parts.words.empty()) continue;
-      const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, loadWords) != nullptr ||
+      const bool other = otherThingIn(parts.words) != nullptr || firstIn(parts.words, loadWords) != nullptr ||
                          firstIn(parts.words, supplyWords) != nullptr;
       const bool open =
           !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault && !other;

@@ -61,7 +61,7 @@ void takeCoordinates(const RawTable& table, std::vector<Choice>& choices) {
     const auto speed = names.contains(whose + "dq") ? names.find(whose + "dq") : names.find(whose + "qd");
     const NameParts parts = partsOfName(name.substr(0, mark), {});
     const bool open = !choices[angle].name.understood() && speed != names.end() && !choices[speed->second].byMap;
-    if (!open || firstIn(parts.words, otherThings) != nullptr) continue;
+    if (!open || otherThingIn(parts.words) != nullptr) continue;
     choices[angle].name = understandName("q", table.columns[angle].unit);
     choices[speed->second].name = understandName("dq", table.columns[speed->second].unit);
     for (size_t c = 0; c < choices.size(); ++c) {

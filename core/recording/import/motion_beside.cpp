@@ -84,7 +84,7 @@ bool isOpenFor(const RawTable& table, const Choice& choice, size_t c, UnitKind k
   const bool nameless = column.channel.name.starts_with("column_");
   if (nameless || !(rangeOf(column.channel.values) > 0.0) || isMultiplied(column.channel.name)) return false;
   const NameParts parts = partsOfName(column.channel.name, column.unit);
-  const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, referenceWords) != nullptr ||
+  const bool other = otherThingIn(parts.words) != nullptr || firstIn(parts.words, referenceWords) != nullptr ||
                      firstIn(parts.words, headings) != nullptr;
   const bool fits = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == kind;
   const bool quantity = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
@@ -115,8 +115,8 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
     if (isMultiplied(table.columns[c].channel.name)) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
     const bool turns = parts.unit != nullptr && parts.unit->kind == UnitKind::angle && !parts.words.empty();
-    const bool other = firstIn(parts.words, otherThings) != nullptr ||
-                       firstIn(parts.words, referenceWords) != nullptr || firstIn(parts.words, headings) != nullptr;
+    const bool other = otherThingIn(parts.words) != nullptr || firstIn(parts.words, referenceWords) != nullptr ||
+                       firstIn(parts.words, headings) != nullptr;
     if (!turns || other || commonOf(table, c, speed) < agrees) continue;
     choices[c].name = understandName("angle", parts.unitText);
     choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
@@ -139,7 +139,7 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
   std::string unknown;
   for (size_t c = 0; c < choices.size() && unknown.empty(); ++c) {
     const Words words = wordsOf(table.columns[c].channel.name, true);
-    if (!open(c) || words.size() != called.size() + 1 || firstIn(words, otherThings) != nullptr) continue;
+    if (!open(c) || words.size() != called.size() + 1 || otherThingIn(words) != nullptr) continue;
     for (const std::string& word : words) {
       Words rest = words;
       std::erase(rest, word);

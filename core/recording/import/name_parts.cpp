@@ -329,8 +329,29 @@ std::string withoutDevice(std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+/// `{axis="1"}` of `motor_speed_rpm{axis="1"}`, as databases of metrics label a series: the values in quotes.
+std::string labelsOf(std::string_view& name) {
+  const size_t open = name.find("{");
+  if (open == std::string_view::npos || open == 0 || name.back() != '}') return {};
+  std::string values;
+  std::string_view inner = name.substr(open + 1, name.size() - open - 2);
+  name = name.substr(0, open);
+  for (size_t quote = inner.find('"'); quote != std::string_view::npos; quote = inner.find('"')) {
+    inner.remove_prefix(std::min(inner.find_first_not_of('"', quote), inner.size()));  // in tables they stand twice
+    const size_t end = std::min(inner.find('"'), inner.size());
+    values += (values.empty() ? "" : ".") + lowered(inner.substr(0, end));
+    inner.remove_prefix(std::min(inner.find_first_not_of('"', end), inner.size()));
+  }
+  return values;
+}
+
+}  // namespace
+
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
+  const std::string labels = labelsOf(name);
   std::string text = withUnitsApart(takeBrackets(withoutDevice(name), parts));
   if (!unit.empty() && !saysNoUnit(unit)) {
     parts.unknownUnit = false;
@@ -369,6 +390,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   partWords(parts.words);
   dropChannel(parts.words);
   takeGroup(parts.words, parts.group);
+  if (!labels.empty()) parts.group += (parts.group.empty() ? "" : ".") + labels;
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);
   return parts;

@@ -77,7 +77,7 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
     const auto words = wordsOf(table.columns[c].channel.name.substr(whose.size()), true);
     const bool goal = firstIn(words, referenceWords) != nullptr && folders.contains(folderOf(whose));
     if (!joints && !known.contains(whose) && !goal) continue;
-    if (firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
+    if (otherThingIn(path.words) != nullptr || path.unit != nullptr) continue;
     const bool wanted = firstIn(path.words, referenceWords) != nullptr;
     ColumnName own = understandName(table.columns[c].channel.name.substr(whose.size()) + (wanted ? "_cmd" : ""),
                                     table.columns[c].unit);
@@ -110,7 +110,7 @@ void takeBeforePaths(const RawTable& table, std::vector<Choice>& choices) {
       const Word* named = quantityNamed(word);
       return named != nullptr && !named->weak;
     });
-    if (!own.understood() || quantity || firstIn(behind, otherThings) != nullptr) continue;
+    if (!own.understood() || quantity || otherThingIn(behind) != nullptr) continue;
     own.group += (own.group.empty() ? "" : ".") + name.substr(at + 1);
     choices[c].name = std::move(own);
   }
@@ -126,7 +126,7 @@ void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
       continue;
     const NameParts path = partsOfName(name.substr(0, at), {}), last = partsOfName(name.substr(at + 1), {});
     const bool letter = last.unit != nullptr && last.words.size() == 1 && last.words[0].size() == 1;
-    const bool another = firstIn(path.words, otherThings) != nullptr || firstIn(path.words, supplyWords) != nullptr ||
+    const bool another = otherThingIn(path.words) != nullptr || firstIn(path.words, supplyWords) != nullptr ||
                          firstIn(path.words, loadWords) != nullptr || firstIn(path.words, driverWords) != nullptr;
     const bool motors = firstIn(path.words, jointWords) != nullptr || isIn(path.words, "machine");
     if (!letter || !motors || (another && path.words.front() != "dc")) continue;
@@ -184,7 +184,7 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
         !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
     if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
     const NameParts parts = partsOfName(name, table.columns[c].unit);
-    if (firstIn(words, otherThings) != nullptr || parts.unknownUnit) continue;
+    if (otherThingIn(words) != nullptr || parts.unknownUnit) continue;
     std::set<std::string> motions;
     size_t of = choices.size();
     for (size_t k = 0; k < choices.size(); ++k) {

@@ -161,6 +161,15 @@ size_t quantityAtEnd(std::string_view word) {
   return begin;
 }
 
+const std::string* otherThingIn(const std::vector<std::string>& words) {
+  static constexpr auto ends = std::to_array<std::string_view>({"偏差", "误差", "誤差"});
+  const auto it = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+    const bool named = std::find(otherThings.begin(), otherThings.end(), word) != otherThings.end();
+    return named || std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return word.ends_with(end); });
+  });
+  return it == words.end() ? nullptr : &*it;
+}
+
 size_t foreignWordsIn(std::string_view text) {
   std::set<std::string_view> found;
   for (const Word& one : gapless) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "recording/import/units.h"
 
@@ -69,7 +71,11 @@ inline constexpr auto otherThings = std::to_array<std::string_view>(
      "wind",         "unsaturated", "unsat",      "unclamped",    "unlimited",    "pred",       "nominal",
      "prev",         "previous",    "old",        "initial",      "init",         "final",      "home",
      "bias",         "noise",       "fan",        "pump",         "injector",     "heater",     "led",
-     "kmh",          "kph",         "kmph",       "mph",          "watt",         "wh",         "ah"});
+     "urms",         "irms",        "vrms",       "kmh",          "kph",          "kmph",       "mph",
+     "watt",         "wh",          "ah"});
+/// The first of the words that makes a column something else; nullptr when none does. Where words are written without
+/// gaps, it may end one ("位置偏差").
+const std::string* otherThingIn(const std::vector<std::string>& words);
 /// Of these a vehicle or a hand turns about one; of a joint they are the name.
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw", "tilt", "lean"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(

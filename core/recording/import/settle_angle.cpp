@@ -7,7 +7,10 @@
 #include "base/numbers.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
+#include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
+#include "recording/import/told_unit.h"
+#include "recording/import/vehicles_beside.h"
 
 namespace breakaway {
 
@@ -91,6 +94,11 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   };
   if (map_.counts_per_rev && areWhole(angle)) {
     set(turn_rad / *map_.counts_per_rev, "counts", message("whole numbers, with the map's counts per turn"));
+    return {};
+  }
+  if (const auto told = toldAngleUnit(table_)) {
+    set(unitNamed(*told)->scale, told->c_str(), message("a line above the table says so"));
+    fate.guessed = false;
     return {};
   }
   if (period && *period == 360.0)
@@ -259,6 +267,12 @@ Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
     fate.guessed = true;
     return {};
   }
+  if (alone && !choices_[c].byMap && tellsVehiclesWay(table_) &&
+      firstIn(wordsOf(fate.from, true), jointWords) == nullptr)
+    return Error{
+        path_ + ", column " + fate.from,
+        message("may be a vehicle's speed, and nothing tells its unit; say it with --map {}",
+                "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_m_per_s\", \"scale\": 0.277778}}}")};
   constexpr double manyRadians_per_s = 30.0;
   if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
   return Error{path_ + ", column " + fate.from,

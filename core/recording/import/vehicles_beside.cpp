@@ -38,6 +38,14 @@ bool isOfVehicle(const RawTable& table) {
   });
 }
 
+bool tellsVehiclesWay(const RawTable& table) {
+  static constexpr auto words =
+      std::to_array<std::string_view>({"gps", "odometer", "odo", "mileage", "totaldistance", "latitude", "longitude"});
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), words) != nullptr;
+  });
+}
+
 /// "speed" beside "motor_speed" is a vehicle's.
 void setVehiclesSpeedAside(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});

@@ -10,6 +10,9 @@ namespace breakaway {
 
 /// Whether a brake, a gear, a state of charge or an odometer stands in the table.
 bool isOfVehicle(const RawTable& table);
+
+/// Whether it tells how far something went or where on earth it is.
+bool tellsVehiclesWay(const RawTable& table);
 /// A speed beside a motor's in such a table.
 void setVehiclesSpeedAside(const RawTable& table, std::vector<Choice>& choices);
 /// Linear speeds beside a rotary motion.
