@@ -35,7 +35,10 @@ class TestImportOwners : public QObject {
   void deviationInAnotherLanguage_isNoAngle();
   void electricalAngleBesideASpeed_asksForNothing();
   void electricalTurnsPerSecond_askForPolePairs();
-  void wordBeforeNamesInAComment_isNoName();
+  void wordBeforeNames_isNoName_data();
+  void wordBeforeNames_isNoName();
+  void angleCalledAsItsSpeedIs_isTaken_data();
+  void angleCalledAsItsSpeedIs_isTaken();
 
  private:
   using Wave = std::function<double(int)>;
@@ -265,14 +268,45 @@ void TestImportOwners::electricalTurnsPerSecond_askForPolePairs() {
                    (20.0 + speedAt(10)) * 2.0 * std::numbers::pi / 8.0) < 1e-6);
 }
 
-void TestImportOwners::wordBeforeNamesInAComment_isNoName() {
-  QString text = "#PHASE,0=idle,1=up\n#COLS,t_us,phase,rpm,bus_mv\n";
-  for (int k = 0; k < 60; ++k) text += QString("%1,1,%2,%3\n").arg(10000 * k).arg(100.5 + k).arg(24000 - k);
+void TestImportOwners::wordBeforeNames_isNoName_data() {
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<QString>("tag");
+  QTest::newRow("in a comment") << "#PHASE,0=idle,1=up\n#COLS,t_us,phase,rpm,bus_mv\n"
+                                << "";
+  QTest::newRow("before the rows' tag") << "STATUS,ready\nFORMAT,DATA,t_us,phase,rpm,bus_mv\n"
+                                        << "DATA,";
+}
+
+void TestImportOwners::wordBeforeNames_isNoName() {
+  QFETCH(QString, head);
+  QFETCH(QString, tag);
+  QString text = head;
+  for (int k = 0; k < 60; ++k) text += QString("%1%2,1,%3,%4\n").arg(tag).arg(10000 * k).arg(100.5 + k).arg(24000 - k);
   const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
   VERIFY_OK(log);
   QVERIFY(std::abs(log->recording.channel("time_s")[59] - 0.59) < 1e-9);
   QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[0] - 100.5 / toRpm) < 1e-9);
   QVERIFY(std::abs(log->recording.channel("supply_V")[0] - 24.0) < 1e-9);
+}
+
+void TestImportOwners::angleCalledAsItsSpeedIs_isTaken_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("moves");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("its own") << "gimbal_yaw" << true << true;
+  QTest::newRow("moves otherwise") << "gimbal_yaw" << false << false;
+  QTest::newRow("another's") << "gimbal_pitch" << true << false;
+}
+
+void TestImportOwners::angleCalledAsItsSpeedIs_isTaken() {
+  QFETCH(QString, name);
+  QFETCH(bool, moves);
+  QFETCH(bool, taken);
+  const QByteArray called = name.toUtf8();
+  const auto log = logOf({{called.constData(), moves ? turnedAt : elsewhereAt}, {"gimbal_yaw_vel", speedAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name), taken ? std::string("angle_rad") : std::string());
+  QVERIFY(!taken || log->columns[1].guessed);
 }
 
 QTEST_APPLESS_MAIN(TestImportOwners)

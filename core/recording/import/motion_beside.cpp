@@ -136,6 +136,17 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
   }
   const Words called = wordsBesideQuantity(table, speed);
   if (called.empty()) return;  // any word would do
+  const std::string group = partsOfName(table.columns[speed].channel.name, table.columns[speed].unit).group;
+  for (size_t c = 0; c < choices.size(); ++c) {  // "gimbal_yaw" beside "gimbal_yaw_vel"
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool fits = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::angle;
+    const bool free =
+        !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
+    if (!free || !fits || parts.words != called || parts.group != group || commonOf(table, c, speed) < agrees) continue;
+    ColumnName own = understandName("angle", parts.unitText);
+    own.group = choices[speed].name.group;
+    return take(c, std::move(own));
+  }
   std::string unknown;
   for (size_t c = 0; c < choices.size() && unknown.empty(); ++c) {
     const Words words = wordsOf(table.columns[c].channel.name, true);
@@ -206,15 +217,17 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
     const NameParts parts = partsOfName(column.channel.name, column.unit);
     const std::string* joint = firstIn(parts.words, joints);
     const bool alone = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
-      return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word) || isIn(learners, word);
+      return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word) || isIn(learners, word) ||
+             isIn(headings, word);  // "LHipPitch"
     });
+    const std::string* heading = firstIn(parts.words, headings);
     const bool angle = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::angle;
     const bool open = !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !column.fault;
     if (joint == nullptr || !alone || !angle || !open || !(rangeOf(column.channel.values) > 0.0)) continue;
     const bool reference = firstIn(parts.words, referenceWords) != nullptr || isIn(parts.words, "action");
     const bool degrees = parts.unit == nullptr && rangeOf(column.channel.values) > farthest_rad;
     choices[c].name = understandName(reference ? "angle_cmd" : "angle", degrees ? "deg" : parts.unitText);
-    choices[c].name.group = *joint + parts.group;
+    choices[c].name.group = *joint + parts.group + (heading == nullptr ? "" : *heading);
     choices[c].name.guess = message("it is called by a joint alone, and nothing else tells a motion");
   }
 }

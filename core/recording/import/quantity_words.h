@@ -34,9 +34,9 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "指令",      "期望",      "consigne", "consigna", "referencia", "riferimento", "objetivo", "alvo",     "cible",
      "zadana",    "vorgabe",   "指令値",   "目標値",   "目标值",     "设定值",      "設定値",   "给定值"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus",    "vbus",  "vdc", "dc",       "battery", "batt", "bat",   "vbat", "vbatt",
-     "vin",    "dclink", "input", "bms", "pack",     "esc",     "psu",  "dcbus", "udc",  "udcb",
-     "udcbus", "vdcbus", "uzk",   "hv",  "traction", "母线",    "母線", "电源",  "电池"});
+    {"supply", "bus",    "vbus",  "vdc", "dc",   "battery",  "batt", "bat",   "vbat", "vbatt",
+     "vin",    "dclink", "input", "bms", "pack", "esc",      "psu",  "dcbus", "udc",  "udcb",
+     "udcbus", "vdcbus", "uzk",   "zk",  "hv",   "traction", "母线", "母線",  "电源", "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",   "act",        "measured",  "meas",       "measurement", "present",   "motor",    "mot",
@@ -53,7 +53,8 @@ inline constexpr auto decorations = std::to_array<std::string_view>(
      "actuelle", "gemessen",   "gemessene", "aktuell",    "实际",        "測定",      "实测",     "反馈",
      "revolute", "prismatic",  "telemetry", "pll",        "observer",    "observed",  "obs",      "hat",
      "kf",       "ekf",        "kalman",    "smo",        "sensorless",  "fdb",       "fbk",      "fdk",
-     "used",     "wrapped",    "unwrapped", "applied",    "j",           "ave",       "mean",     "wirk"});
+     "used",     "wrapped",    "unwrapped", "applied",    "j",           "ave",       "mean",     "wirk",
+     "winding",  "wicklung",   "wick"});
 /// Before a reference they tell who follows it.
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});

@@ -85,6 +85,13 @@ bool tellsValues(std::string_view line) {
   return false;
 }
 
+/// "COLS" of "COLS,t,rpm", "FORMAT" of "FORMAT,DATA,time_ms": a word that says that names follow.
+bool saysThatNamesFollow(std::string_view cell) {
+  static constexpr std::string_view words[] = {"columns", "cols", "fields", "names", "header", "head", "format"};
+  return std::any_of(std::begin(words), std::end(words),
+                     [cell](std::string_view word) { return isSameWord(cell, word); });
+}
+
 /// The line's cells if they are as many as a row's, a few empty ones at the end aside.
 Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& rows) {
   Cells cells;
@@ -95,6 +102,10 @@ Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& 
   };
   splitCells(line, layout, cells);
   if (fits() || fillUp(cells, layout, rows.end)) return cells;
+  if (cells.size() == wanted + 1 && saysThatNamesFollow(withoutBlanks(cells.front()))) {
+    cells.erase(cells.begin());
+    return cells;
+  }
   if (cells.size() > wanted && isSameWord(cells.back(), "comment")) {  // LabVIEW's last column
     cells.pop_back();
     // Its first one is empty where the times aren't written out; blanks as separators don't count it.
@@ -277,19 +288,6 @@ std::optional<std::pair<size_t, std::string_view>> numberedName(std::string_view
                    withoutBlanks(text.substr(begin))};
 }
 
-/// "COLS,t,rpm" behind a comment's mark: a word that says what follows, and then one cell for each column.
-std::string_view withoutNamesWord(std::string_view line, const TextLayout& layout) {
-  const size_t end = line.find(layout.separator);
-  if (end == std::string_view::npos) return line;
-  for (const std::string_view word : {"columns", "cols", "fields", "names", "header", "head"}) {
-    if (!isSameWord(withoutBlanks(line.substr(0, end)), word)) continue;
-    Cells cells;
-    splitCells(line, layout, cells);
-    return cells.size() == layout.cells + 1 ? withoutBlanks(line.substr(end + 1)) : line;
-  }
-  return line;
-}
-
 /// "1 time stamp (sec)", below it "2 motor voltage": the columns' names by their numbers, from 0 or 1 on; as many as
 /// there are columns.
 void readNumberedNames(const std::vector<std::string_view>& lines, TextNames& found) {
@@ -335,7 +333,7 @@ TextNames namesBefore(const std::vector<std::string_view>& before, std::string_v
   for (const std::string_view line : before) {
     if (line.find_first_not_of("-|=+: \t_~\r") == std::string_view::npos) continue;  // a rule, as in Markdown
     if (isComment(withoutBlanks(line))) {
-      comments.push_back(withoutNamesWord(withoutCommentMark(line), layout));
+      comments.push_back(withoutCommentMark(line));
     } else {
       plain.push_back(line);
     }
