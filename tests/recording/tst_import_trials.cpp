@@ -22,6 +22,8 @@ class TestImportTrials : public QObject {
   void firstColumn_isTheTimeOnlyIfItsNameAllowsIt_data();
   void firstColumn_isTheTimeOnlyIfItsNameAllowsIt();
   void whatSomethingTook_isNoTime();
+  void rowsSentAndReceived_areAskedAbout_data();
+  void rowsSentAndReceived_areAskedAbout();
 
  private:
   /// Trials of an angle, each beginning at 0 s.
@@ -125,6 +127,41 @@ void TestImportTrials::whatSomethingTook_isNoTime() {
   const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
   QVERIFY(!log.ok());
   QVERIFY2(log.error().message().find("sample_time_s") != std::string::npos, log.error().message().c_str());
+}
+
+void TestImportTrials::rowsSentAndReceived_areAskedAbout_data() {
+  QTest::addColumn<QString>("sent");
+  QTest::addColumn<QString>("received");
+  QTest::addColumn<bool>("asked");
+  QTest::newRow("letters") << "T"
+                           << "R" << true;
+  QTest::newRow("words") << "cmd"
+                         << "fb" << true;
+  QTest::newRow("states") << "run"
+                          << "hold" << false;
+}
+
+/// A command and what follows it closely differ little from row to row.
+void TestImportTrials::rowsSentAndReceived_areAskedAbout() {
+  QFETCH(QString, sent);
+  QFETCH(QString, received);
+  QFETCH(bool, asked);
+  QString text = "time_ms,dir,pos_rad,vel_rad_s\n";
+  for (int k = 0; k < 200; ++k) {
+    const double angle = std::sin(0.05 * k), speed = 0.5 * std::cos(0.05 * k);
+    text += QString("%1,%2,%3,%4\n").arg(10 * k).arg(sent).arg(angle + 1e-3).arg(speed);
+    text += QString("%1,%2,%3,%4\n").arg(10 * k + 4).arg(received).arg(angle).arg(speed);
+  }
+  const std::string path = folder_.write("log.csv", text.toStdString());
+  const auto log = importRecording(path);
+  QCOMPARE(!log.ok(), asked);
+  if (!asked) return;
+  QVERIFY2(log.error().message().find("{\"split\": \"dir\"}") != std::string::npos, log.error().message().c_str());
+  ImportMap map;
+  map.split = "dir";
+  const auto parts = importRecordings(path, map);
+  VERIFY_OK(parts);
+  QCOMPARE(parts->size(), 2U);
 }
 
 QTEST_APPLESS_MAIN(TestImportTrials)

@@ -71,6 +71,26 @@ bool eachHasRows(const RowKinds& kinds, size_t fewest) {
   return std::all_of(counts.begin() + 1, counts.end(), [fewest](size_t count) { return count >= fewest; });
 }
 
+/// "T" and "R", "cmd" and "fb": what was sent and what came back, as texts.
+bool tellsMessages(const RawColumn& column, const RowKinds& kinds) {
+  using Ways = std::array<std::string_view, 2>;
+  static constexpr auto ways = std::to_array<Ways>({{"t", "r"},
+                                                    {"tx", "rx"},
+                                                    {"send", "recv"},
+                                                    {"sent", "received"},
+                                                    {"cmd", "fb"},
+                                                    {"cmd", "state"},
+                                                    {"command", "feedback"},
+                                                    {"command", "state"},
+                                                    {"req", "resp"},
+                                                    {"request", "response"}});
+  if (column.texts.size() != 2 || kinds.names.size() != 2) return false;
+  const std::string first = lowered(kinds.names[0]), second = lowered(kinds.names[1]);
+  return std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+    return (way[0] == first && way[1] == second) || (way[0] == second && way[1] == first);
+  });
+}
+
 /// Several rows have the same stamp: each is of another axis, whatever the column that numbers them is called.
 bool repeatOften(const std::vector<double>& stamps) {
   constexpr double share = 0.3;
@@ -118,6 +138,7 @@ std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bo
     if (!kinds || kinds->names.size() < 2 || !eachHasRows(*kinds, fewestRows)) continue;
     if (!named && !numberedOn(column, *kinds)) continue;
     const auto changes = bordersOf(*kinds);
+    if (tellsMessages(column, *kinds) && changes.size() > fewestRows) return AxesInTurn{c, kinds->names, true};
     if (static_cast<double>(changes.size()) > oftenChanges * static_cast<double>(values.size())) {
       if (namesAxes(column.channel.name)) return AxesInTurn{c, kinds->names};
       if (!whole) whole = wayOf(values, nullptr);

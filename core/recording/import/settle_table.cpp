@@ -151,6 +151,10 @@ Result<void> Settling::needOneAxis() {
   std::string list;
   for (size_t k = 0; k < turn->names.size() && k < 4; ++k) list += (k == 0 ? "" : ", ") + turn->names[k];
   const std::string& column = table_.columns[turn->column].channel.name;
+  if (turn->messages)
+    return Error{path_ + ", column " + column,
+                 message("rows that were sent and rows that came back stand in one table ({}); part them with --map {}",
+                         list, "{\"split\": \"" + column + "\"}")};
   return Error{path_ + ", column " + column,
                message("rows of {} axes stand in one table ({}); part them with --map {}", turn->names.size(),
                        list + (turn->names.size() > 4 ? ", …" : ""), "{\"split\": \"" + column + "\"}")};
