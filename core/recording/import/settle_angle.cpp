@@ -235,8 +235,13 @@ void Settling::setGearedAside() {
     if (std::abs(std::log(ratio / units)) < std::log(unitsDiffer)) return;
   }
   const size_t motorsOwn = isMotors(*speed) ? *speed : *angle, other = isMotors(*speed) ? *angle : *speed;
-  keep(other, message("turns {} times as slowly as {}, as behind a gear", shortText(std::round(10.0 * ratio) / 10.0),
-                      fates_[motorsOwn].from));
+  const std::string times = shortText(std::round(10.0 * ratio) / 10.0);
+  ColumnFate& own = fates_[motorsOwn];
+  own.guessed = true;
+  own.why = message("{} turns {} times as slowly, as behind a gear; without one, a unit or the pole pairs are wrong",
+                    fates_[other].from, times);
+  own.doubt = own.why;
+  keep(other, message("turns {} times as slowly as {}, as behind a gear", times, own.from));
 }
 
 void Settling::turnsOrRadians(size_t c) {
