@@ -29,6 +29,9 @@ class TestImportOwners : public QObject {
   void currentBesideThePhases_isTheSupplys();
   void speedOfAVehicle_isAskedAbout();
   void torqueOfAnotherJoint_isKept();
+  void deviceThatIsDriven_isTaken();
+  void namesOfElectricMachines_areUnderstood_data();
+  void namesOfElectricMachines_areUnderstood();
   void unitOfAngles_isToldAboveTheTable_data();
   void unitOfAngles_isToldAboveTheTable();
   void labelOfASeries_isItsAxis();
@@ -191,6 +194,48 @@ void TestImportOwners::speedOfAVehicle_isAskedAbout() {
   QVERIFY(!log.ok());
   QVERIFY2(log.error().message().find("velocity_m_per_s") != std::string::npos, log.error().message().c_str());
   VERIFY_OK(logOf({{"speed", speed}, {"other", [](int k) { return 0.1 * k; }}}));
+}
+
+void TestImportOwners::deviceThatIsDriven_isTaken() {
+  const auto slow = [](int k) { return std::sin(0.05 * k); };
+  const auto log = logOf({{"Claw/Position", slow},
+                          {"Arm/Position", turnedAt},
+                          {"Arm/Velocity (rad/s)", speedAt},
+                          {"Arm/Current", [](int k) { return 0.3 * std::cos(0.05 * k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "Arm/Position"), std::string("angle_rad"));
+  QCOMPARE(meaning(*log, "Arm/Velocity (rad/s)"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "Arm/Current"), std::string("current_A"));
+  VERIFY_OK(logOf({{"Claw/Position", slow}, {"Arm/Position", turnedAt}}));
+}
+
+void TestImportOwners::namesOfElectricMachines_areUnderstood_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("a torque by its letter") << "M_Mot [Nm]"
+                                          << "torque_Nm";
+  QTest::newRow("a load's") << "M_L [Nm]"
+                            << "";
+  QTest::newRow("another shaft's") << "M_Ab [Nm]"
+                                   << "";
+  QTest::newRow("a motor's temperature, told by its inverter") << "INV_Motor_Temp"
+                                                               << "temperature_degC";
+  QTest::newRow("the inverter's") << "Motor_Inverter_Temp"
+                                  << "";
+  QTest::newRow("a DC link's") << "U_ZK [V]"
+                               << "supply_V";
+  QTest::newRow("a winding's") << "T_Wick [°C]"
+                               << "temperature_degC";
+}
+
+void TestImportOwners::namesOfElectricMachines_areUnderstood() {
+  QFETCH(QString, name);
+  QFETCH(QString, to);
+  const QByteArray called = name.toUtf8();
+  const auto log = logOf({{"n_Mot [min-1]", [](int k) { return speedAt(k) * toRpm; }},
+                          {called.constData(), [](int k) { return 24.0 + 0.1 * std::sin(0.02 * k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name), to.toStdString());
 }
 
 void TestImportOwners::unitOfAngles_isToldAboveTheTable_data() {

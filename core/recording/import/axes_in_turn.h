@@ -19,8 +19,8 @@ std::optional<RowKinds> rowKinds(const RawColumn& column);
 
 /// The column that tells which of several axes a row speaks of: within each of its values `motion`, an angle or a
 /// speed, goes on far more smoothly than from row to row; or `time` begins anew with each. Numbers count only where
-/// their name tells that they number axes, or several rows have the same stamp. So does one that tells what was sent and
-/// what came back ("tx", "rx"), whatever moves. `free`: the columns that may be it.
+/// their name tells that they number axes, or several rows have the same stamp. So does one that tells what was sent
+/// and what came back ("tx", "rx"), whatever moves. `free`: the columns that may be it.
 struct AxesInTurn {
   size_t column = 0;
   std::vector<std::string> names;

@@ -380,6 +380,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeAnglesByValues(table, choices);
   takeMotionByValues(table, choices);
   takeJointsAlone(table, choices);
+  preferDriven(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -287,7 +287,11 @@ Message notMeant(const NameReading& name) {
     const std::string_view whose = word.ends_with(german) ? word.substr(0, word.size() - german.size()) : "";
     if (!whose.empty() && !isIn(windings, whose))  // "Oeltemperatur"; "Motortemperatur" is two words by now
       return message("is the temperature of the {}, not of the winding", whose);
-    if (const std::string* driver = firstIn(parts.words, driverWords))
+    const auto motor = std::find_if(parts.words.rbegin(), parts.words.rend(),
+                                    [](const std::string& one) { return one == "motor" || one == "mot"; });
+    const auto driver = std::find_if(parts.words.rbegin(), parts.words.rend(),
+                                     [](const std::string& one) { return isIn(driverWords, one); });
+    if (driver != parts.words.rend() && driver <= motor)  // "inv_motor_temp" is the motor's
       return message("is the temperature of the {}, not of the winding", *driver);
   }
   return {};

@@ -131,7 +131,12 @@ ColumnName nameByUnit(const NameParts& parts) {
     if (motors || letter) return nameTaken(parts, contractName(kind, reference), 2);
     return nameThatSaysNothing(parts);
   }
-  const bool letter = parts.words.size() == 1 && isSingleLetter(parts.words[0], "mt");  // "M [Nm]"
+  // "M [Nm]", "M_Mot [Nm]"
+  const bool letter =
+      isSingleLetter(parts.words[0], "mt") &&
+      std::all_of(parts.words.begin() + 1, parts.words.end(), [](const std::string& word) {
+        return word.size() > 1 && (isIn(decorations, word) || isIn(jointWords, word) || isIn(referenceWords, word));
+      });
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
                       (kind == UnitKind::angle && plain) || (kind == UnitKind::torque && letter);
   if (letter && kind == UnitKind::torque && parts.group == "left")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "recording/import/columns_beside.h"
@@ -121,6 +122,34 @@ void setOthersDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
 }
 
 }  // namespace
+
+void preferDriven(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto drives =
+      std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty", "force_N"});
+  static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
+  std::map<std::string, std::array<bool, 2>> devices;  // by what stands before the last stroke: moves, is driven
+  const auto deviceOf = [&table](size_t c) {
+    const std::string& name = table.columns[c].channel.name;
+    const std::string bare = name.substr(0, name.find_first_of("[("));  // without "(rot/s)"
+    const size_t stroke = bare.find_last_of('/');
+    return stroke == std::string::npos ? std::string() : bare.substr(0, stroke);
+  };
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool path = !deviceOf(c).empty();
+    if (choices[c].byMap || choices[c].byTool) return;
+    if (!path && choices[c].name.understood() && choices[c].name.to != "time_s") return;
+    if (!path) continue;
+    devices[deviceOf(c)][0] |= isIn(motions, choices[c].name.to);
+    devices[deviceOf(c)][1] |= isIn(drives, choices[c].name.to);
+  }
+  const auto driven =
+      std::find_if(devices.begin(), devices.end(), [](const auto& one) { return one.second[0] && one.second[1]; });
+  if (driven == devices.end()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (isIn(motions, choices[c].name.to) && !devices[deviceOf(c)][1])
+      setAside(choices[c], message("nothing drives it, as {} is driven", driven->first));
+  }
+}
 
 void setOthersAside(const RawTable& table, std::vector<Choice>& choices) {
   setOthersDrivesAside(table, choices);
