@@ -133,7 +133,7 @@ ColumnName nameByUnit(const NameParts& parts) {
   }
   // "M [Nm]", "M_Mot [Nm]"
   const bool letter =
-      isSingleLetter(parts.words[0], "mt") &&
+      !parts.words.empty() && isSingleLetter(parts.words[0], "mt") &&
       std::all_of(parts.words.begin() + 1, parts.words.end(), [](const std::string& word) {
         return word.size() > 1 && (isIn(decorations, word) || isIn(jointWords, word) || isIn(referenceWords, word));
       });
