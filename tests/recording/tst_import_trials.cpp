@@ -18,6 +18,7 @@ class TestImportTrials : public QObject {
   void clocksOfTrials_followOneAnother();
   void clockThatGoesOnThroughTrials_staysAsItIs();
   void trials_arePartedByTheirColumn();
+  void trialOfASingleRow_isLeftOut();
   void stepsThatCountRows_areNoTime();
   void firstColumn_isTheTimeOnlyIfItsNameAllowsIt_data();
   void firstColumn_isTheTimeOnlyIfItsNameAllowsIt();
@@ -87,6 +88,21 @@ void TestImportTrials::trials_arePartedByTheirColumn() {
     QCOMPARE(time_s.front(), 0.0);
     QVERIFY(std::abs(time_s.back() - 0.295) < 1e-9);
   }
+}
+
+void TestImportTrials::trialOfASingleRow_isLeftOut() {
+  const std::string text = trialsOf("trial,row,time_s,angle_rad", 60, {"1", "2"}) + "3,0,0,0.1\n";
+  ImportMap map;
+  map.split = "trial";
+  const auto logs = importRecordings(folder_.write("log.csv", text), map);
+  VERIFY_OK(logs);
+  QCOMPARE(logs->size(), 2U);
+  const auto& remarks = logs->front().remarks;
+  QVERIFY(std::any_of(remarks.begin(), remarks.end(), [](const std::string& one) {
+    return one == "1 part of the log is a single row and was left out";
+  }));
+  map.split = "row";  // each row another one
+  QVERIFY(!importRecordings(folder_.write("rows.csv", "row,time_s,angle_rad\n1,0,1\n2,1,2\n3,2,2\n"), map).ok());
 }
 
 void TestImportTrials::stepsThatCountRows_areNoTime() {

@@ -118,12 +118,20 @@ Result<std::vector<Imported>> importRecordings(const std::string& path, const Im
   }
   auto parts = partsByColumn(read->table, map.split, path);
   if (!parts) return parts.error();
+  const auto all = parts->size();
+  std::erase_if(*parts, [all](const RawTable& part) { return all > 1 && part.rows() < 2; });  // no motion
+  const size_t leftOut = all - parts->size();
   for (RawTable& part : *parts) {
     const std::string name = path + " (" + map.split + " " + part.notes.back().second + ")";
     auto one = settleTable(std::move(part), map, name, {});
     if (!one) return one.error();
     recordings.push_back(std::move(*one));
   }
+  if (recordings.empty()) return Error{path, message("is split by \"{}\" into single rows", map.split)};
+  if (leftOut > 0)
+    recordings.front().remarks.push_back(
+        leftOut == 1 ? message("1 part of the log is a single row and was left out")
+                     : message("{} parts of the log are single rows and were left out", leftOut));
   return recordings;
 }
 
