@@ -189,7 +189,10 @@ void VelocitySweep::beginRun(const Sample& sample) {
   turnAngle_rad_ = sample.angle_rad;
   turnStart_s_ = sample.time_s;
   open_.halfSpan_s = static_cast<double>(span_) * tick_s();
-  open_.bins.resize(options_.bins);
+  const size_t perBin = cellsPerBin(options_.countsPerRev, options_.bins, thisRun_s_ / tick_s());
+  cells_ = AngleCells(options_.bins, perBin);
+  blockCells_.clear();
+  perBin_ = perBin;
   // Blocks are of whole turns, so that what differs between them is no part of the rotor's own variation.
   const double expected = std::abs(target()) * options_.run_s / turn_rad / static_cast<double>(options_.blocks);
   turnsPerBlock_ = static_cast<size_t>(std::max(1.0, std::floor(expected)));
@@ -216,15 +219,12 @@ void VelocitySweep::sum(const Sample& sample) {
   const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) /
                           (1.0 + wobbleAt(sample.time_s - open_.halfSpan_s));
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn_rad;
-  const auto bin =
-      static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins) + ofBin) % options_.bins;
+  const double inBins = (place - std::floor(place)) * static_cast<double>(options_.bins) + ofBin;
+  const auto bin = static_cast<size_t>(inBins) % options_.bins;
   const size_t block = open_.turns / turnsPerBlock_;
-  if (block >= open_.blocks.size()) {
-    open_.blocks.emplace_back();
-    open_.blocks.back().bins.resize(options_.bins);
-  }
-  open_.bins[bin].add(currents_A_[middle], velocity);
-  open_.blocks.back().bins[bin].add(currents_A_[middle], velocity);
+  if (block >= blockCells_.size()) blockCells_.emplace_back(options_.bins, perBin_);
+  cells_.add(bin, inBins, currents_A_[middle], velocity);
+  blockCells_.back().add(bin, inBins, currents_A_[middle], velocity);
 }
 
 /// Between two turns the speed is the mean of theirs; before the first and after the last it goes on as it did.
@@ -250,6 +250,11 @@ void VelocitySweep::dateBlocks(VelocityRun& run) const {
 /// The open run, of the turns that are complete at this time.
 VelocityRun VelocitySweep::closed(double time_s) const {
   VelocityRun run = open_;
+  run.bins = cells_.bins(cells_);
+  for (const AngleCells& block : blockCells_) {
+    run.blocks.emplace_back();
+    run.blocks.back().bins = block.bins(cells_);
+  }
   run.duration_s = time_s - runStart_s_;
   run.middle_s = 0.5 * (time_s + runStart_s_);
   // What is left over after the last whole block goes into it.
@@ -264,7 +269,7 @@ VelocityRun VelocitySweep::closed(double time_s) const {
 
 /// Now and then: a fast run has many turns a second.
 void VelocitySweep::keepTurns(double time_s) {
-  if (open_.blocks.empty() || time_s - kept_s_ < sampleEvery_s) return;
+  if (blockCells_.empty() || time_s - kept_s_ < sampleEvery_s) return;
   kept_s_ = time_s;
   underWay_ = closed(time_s);
   underWay_->brokenOff = true;

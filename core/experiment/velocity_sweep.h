@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "experiment/angle_cells.h"
 #include "experiment/index_watch.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/zeroing.h"
@@ -79,7 +80,7 @@ class VelocitySweep : public TimedProcedure {
   VelocitySweepOptions options_;
   Zeroing zeroing_;
   Stage stage_ = Stage::zero;
-  size_t next_ = 0, turnsPerBlock_ = 1;
+  size_t next_ = 0, turnsPerBlock_ = 1, perBin_ = 1;
   std::vector<VelocityRun> runs_;
   std::vector<double> leftOut_rad_per_s_;
   double legStart_s_ = 0.0, legStart_rad_ = 0.0;
@@ -93,8 +94,10 @@ class VelocitySweep : public TimedProcedure {
   std::vector<double> turnSpeeds_rad_per_s_;  ///< mean of each turn of the open run
   double turnAngle_rad_ = 0.0, turnStart_s_ = 0.0;
   size_t span_ = 1, taken_ = 0;
-  double mean_rad_per_s_ = 0.0;  ///< smoothed speed
-  LegPhase seen_ = notBegun;     ///< of the speed's leg
+  AngleCells cells_;                    ///< of the open run
+  std::vector<AngleCells> blockCells_;  ///< and of its stretches of whole turns
+  double mean_rad_per_s_ = 0.0;         ///< smoothed speed
+  LegPhase seen_ = notBegun;            ///< of the speed's leg
   IndexWatch index_;
 };
 

@@ -85,6 +85,37 @@ class Waves {
 /// Speed per bin of the whole run; the angle that a sample stands for is its share.
 using Speeds = std::vector<double>;
 
+/// Central differences over more than a bin show fine ripple flatter; how many samples fell into a bin tells how long
+/// the rotor was in it. What the numbers scatter beyond their rounding in each pass is such ripple.
+Speeds speedsOf(const std::vector<AngleBinSums>& bins, double turns, const EncoderDisc& disc,
+                const std::vector<double>& angles) {
+  constexpr double roundingVariance = 1.0 / 6.0;  // of a number of samples, for any time in any phase
+  Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
+  double covered = 0.0, seen = 0.0, scatter = 0.0, rounding = 0.0;
+  std::vector<double> widths(bins.size(), 1.0);
+  for (size_t k = 0; k < bins.size(); ++k) {
+    if (bins[k].samples == 0) return speeds;
+    if (disc.known()) widths[k] = disc.gainAt(angles[k]);
+    covered += static_cast<double>(bins[k].samples) * speeds[k];
+  }
+  if (covered == 0.0) return speeds;
+  const auto n = static_cast<double>(bins.size());
+  std::vector<double> beyond(bins.size());  // the angle that a bin's samples seem to cover, over its own, less 1
+  for (size_t k = 0; k < bins.size(); ++k) {
+    const auto samples = static_cast<double>(bins[k].samples);
+    beyond[k] = n * samples * speeds[k] / (widths[k] * covered) - 1.0;
+    scatter += beyond[k] * beyond[k];
+    rounding += roundingVariance * turns / (samples * samples);
+  }
+  const double share = scatter > rounding ? 1.0 - rounding / scatter : 0.0;
+  for (size_t k = 0; k < bins.size(); ++k) {
+    speeds[k] /= 1.0 + share * beyond[k];
+    seen += static_cast<double>(bins[k].samples) * speeds[k];
+  }
+  for (double& speed : speeds) speed *= covered / seen;
+  return speeds;
+}
+
 /// What a sum is per bin, around the mean over the turn. Each sample counts by the angle that it covers, not each bin
 /// by its mean: what changes slowly over the turns then falls out, though fast runs meet each bin in few of them.
 std::vector<double> covered(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum, const Speeds& speeds) {
@@ -290,7 +321,7 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
   std::vector<std::vector<Complex>> blocks;
   for (const VelocityRun& part : parts) {
     const auto bins = freedOf(options.disc, part.bins, angles, part.halfSpan_s);
-    const Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
+    const Speeds speeds = speedsOf(bins, static_cast<double>(part.turns), options.disc, angles);
     const Stretch whole(static_cast<double>(part.turns), part.blocks, part.target_rad_per_s);
     const double share = parts.size() > 1 ? static_cast<double>(part.turns) / turns : 1.0;
     spectrum.speed_rad_per_s +=

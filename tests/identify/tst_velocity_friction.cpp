@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "experiment/angle_cells.h"
+#include "identify/run_spectrum.h"
 #include "identify/velocity_friction.h"
 
 using namespace breakaway;
@@ -17,6 +19,8 @@ class TestVelocityFriction : public QObject {
   void brokenOffRuns_countAsOneWithWhatWentOn();
   void oneSpeedOnly_isReportedAsUnobservable();
   void coggingThatTheRotorHides_isTakenFromTheBreakaways();
+  void coggingThatSlowsTheRotor_isNoFriction_data();
+  void coggingThatSlowsTheRotor_isNoFriction();
 };
 
 namespace {
@@ -195,6 +199,59 @@ void TestVelocityFriction::coggingThatTheRotorHides_isTakenFromTheBreakaways() {
       }
       QVERIFY2(worst < 4e-4, qPrintable(QString::number(worst)));
     }
+  }
+}
+
+void TestVelocityFriction::coggingThatSlowsTheRotor_isNoFriction_data() {
+  QTest::addColumn<double>("order");
+  QTest::addColumn<double>("counts");
+  QTest::addColumn<double>("bins");
+  QTest::addColumn<double>("amps");      // of the cogging
+  QTest::addColumn<double>("atCounts");  // of the loop's answer to single counts
+  QTest::newRow("a stepper's detents, four bins each") << 50.0 << 1600.0 << 200.0 << 0.1 << 0.0;
+  QTest::newRow("two bins each") << 100.0 << 1600.0 << 200.0 << 0.1 << 0.0;
+  QTest::newRow("coarse encoder, to whose counts the loop answers") << 12.0 << 120.0 << 120.0 << 0.1 << 0.3;
+  QTest::newRow("three counts in a bin, likewise") << 24.0 << 360.0 << 120.0 << 0.1 << 0.3;
+}
+
+/// Where detents hold it back the rotor is slow and takes more current, for longer: on average over the time that is
+/// 2 % of the friction more, over the angle nothing.
+void TestVelocityFriction::coggingThatSlowsTheRotor_isNoFriction() {
+  QFETCH(double, order);
+  QFETCH(double, counts);
+  QFETCH(double, bins);
+  QFETCH(double, amps);
+  QFETCH(double, atCounts);
+  constexpr double speed = 3.5, friction_A = 1.0, tick_s = 2e-4, halfSpan_rad = 1.0 / 40.0;
+  constexpr size_t turns = 6, span = 35;
+  const double count_rad = turn / counts;
+  for (const double way : {1.0, -1.0}) {
+    std::vector<double> angles, currents;
+    for (double angle = 0.0; angle < (turns + 0.1) * turn;) {
+      const double inCounts = angle / count_rad, inCount = inCounts - std::floor(inCounts);
+      angles.push_back(way * count_rad * std::floor(inCounts));
+      // As a count comes the loop sees more speed than it wants, and takes current back.
+      currents.push_back(way * (friction_A - amps * std::cos(order * angle) + atCounts * (inCount - 0.5)));
+      for (int step = 0; step < 10; ++step) angle += 0.1 * tick_s * speed * (1.0 + 0.4 * std::cos(order * angle));
+    }
+    const auto n = static_cast<size_t>(bins);
+    const size_t perBin = cellsPerBin(counts, n, static_cast<double>(angles.size()));
+    AngleCells cells(n, perBin);
+    double overTime_A = 0.0, count = 0.0;
+    for (size_t k = span; k + span < angles.size() && std::abs(angles[k]) < turns * turn; ++k) {
+      const double place = angles[k] / turn, inBins = (place - std::floor(place)) * bins + 1e-6;
+      cells.add(static_cast<size_t>(inBins) % n, inBins, currents[k],
+                (angles[k + span] - angles[k - span]) / (2.0 * span * tick_s));
+      overTime_A += way * currents[k], count += 1.0;
+    }
+    QVERIFY2(overTime_A / count > 1.015 * friction_A, qPrintable(QString::number(overTime_A / count)));
+    VelocityRun run;
+    run.target_rad_per_s = way * speed;
+    run.turns = turns;
+    run.halfSpan_s = halfSpan_rad / speed;
+    run.bins = cells.bins(cells);
+    const double found_A = spectrumOf(std::span(&run, 1), options()).torque_Nm[0].real() / Kt;
+    QVERIFY2(std::abs(found_A / friction_A - 1.0) < 0.003, qPrintable(QString::number(found_A)));
   }
 }
 
