@@ -116,6 +116,39 @@ Speeds speedsOf(const std::vector<AngleBinSums>& bins, double turns, const Encod
   return speeds;
 }
 
+/// Where the rotor stuck on its way, a bin's current is mostly static friction's: what moves there is as its
+/// neighbours, on either side the nearest in which it didn't.
+std::vector<AngleBinSums> movingOf(const std::vector<AngleBinSums>& bins, const std::vector<bool>& stuck) {
+  const size_t n = bins.size();
+  std::vector<AngleBinSums> moving = bins;
+  for (size_t k = 0; k < n; ++k) {
+    if (!stuck[k]) continue;
+    size_t before = (k + n - 1) % n, after = (k + 1) % n;
+    while (stuck[before] && before != k) before = (before + n - 1) % n;
+    while (stuck[after] && after != k) after = (after + 1) % n;
+    const auto samples = static_cast<double>(bins[before].samples + bins[after].samples);
+    moving[k] = {};
+    if (before == k || !(samples > 0.0)) continue;
+    moving[k].add(bins[before]);
+    moving[k].add(bins[after]);
+    const double half = static_cast<double>(moving[k].samples / 2) / samples;
+    moving[k].samples /= 2;
+    moving[k].current_A *= half;
+    moving[k].velocity_rad_per_s *= half;
+  }
+  return moving;
+}
+
+/// Bins in which the rotor stood or crept.
+std::vector<bool> stuckIn(const Speeds& speeds) {
+  constexpr double creeping = 0.25;  // of the mean speed
+  double mean = 0.0;
+  for (const double speed : speeds) mean += speed / static_cast<double>(speeds.size());
+  std::vector<bool> stuck;
+  for (const double speed : speeds) stuck.push_back(!(speed / mean > creeping));
+  return stuck;
+}
+
 /// What a sum is per bin, around the mean over the turn. Each sample counts by the angle that it covers, not each bin
 /// by its mean: what changes slowly over the turns then falls out, though fast runs meet each bin in few of them.
 std::vector<double> covered(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum, const Speeds& speeds) {
@@ -319,19 +352,28 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
   const std::vector<Complex> none(highest + 1, 0.0);
   RunSpectrum spectrum{0.0, none, none, none, {}};
   std::vector<std::vector<Complex>> blocks;
+  std::vector<Complex> replaced = none;  // what it makes of the torque that stuck bins are as their neighbours
   for (const VelocityRun& part : parts) {
-    const auto bins = freedOf(options.disc, part.bins, angles, part.halfSpan_s);
-    const Speeds speeds = speedsOf(bins, static_cast<double>(part.turns), options.disc, angles);
+    const auto turnsOfPart = static_cast<double>(part.turns);
+    const auto all = freedOf(options.disc, part.bins, angles, part.halfSpan_s);
+    const auto stuck = stuckIn(speedsOf(all, turnsOfPart, options.disc, angles));
+    const auto bins = movingOf(all, stuck);
+    const Speeds speeds = speedsOf(bins, turnsOfPart, options.disc, angles);
     const Stretch whole(static_cast<double>(part.turns), part.blocks, part.target_rad_per_s);
     const double share = parts.size() > 1 ? static_cast<double>(part.turns) / turns : 1.0;
     spectrum.speed_rad_per_s +=
         share * std::abs(harmonicOf(covered(bins, &AngleBinSums::velocity_rad_per_s, speeds), 0).real());
-    addShare(harmonicsOf(bins, speeds, waves, whole, part, highest, options), share, spectrum);
+    const Harmonics found = harmonicsOf(bins, speeds, waves, whole, part, highest, options);
+    addShare(found, share, spectrum);
+    if (std::find(stuck.begin(), stuck.end(), true) != stuck.end()) {
+      const auto asSeen =
+          harmonicsOf(all, speedsOf(all, turnsOfPart, options.disc, angles), waves, whole, part, highest, options);
+      for (size_t k = 0; k <= highest; ++k) replaced[k] += share * (asSeen.torque_Nm[k] - found.torque_Nm[k]);
+    }
     for (const RunBlock& block : part.blocks) {
       const Stretch stretch(static_cast<double>(block.turns), {&block, 1}, part.target_rad_per_s);
-      blocks.push_back(harmonicsOf(freedOf(options.disc, block.bins, angles, part.halfSpan_s), speeds, waves, stretch,
-                                   part, highest, options)
-                           .torque_Nm);
+      const auto moving = movingOf(freedOf(options.disc, block.bins, angles, part.halfSpan_s), stuck);
+      blocks.push_back(harmonicsOf(moving, speeds, waves, stretch, part, highest, options).torque_Nm);
     }
   }
   const auto between = scatterBetween(blocks, highest + 1);
@@ -346,6 +388,7 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
     const double beyond = beyondLaw(between, law, k, seen), variance = law.at(k) * (beyond > lawDoubt ? beyond : 1.0);
     spectrum.variance_Nm2.push_back(k <= seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
+  for (size_t k = 0; k <= highest; ++k) spectrum.variance_Nm2[k] += 0.5 * std::norm(replaced[k]);
   return spectrum;
 }
 
