@@ -19,6 +19,7 @@ class TestVelocityFriction : public QObject {
   void brokenOffRuns_countAsOneWithWhatWentOn();
   void oneSpeedOnly_isReportedAsUnobservable();
   void coggingThatTheRotorHides_isTakenFromTheBreakaways();
+  void placeWhereTheRotorSticks_isNoMovingFriction();
   void coggingThatSlowsTheRotor_isNoFriction_data();
   void coggingThatSlowsTheRotor_isNoFriction();
 };
@@ -199,6 +200,34 @@ void TestVelocityFriction::coggingThatTheRotorHides_isTakenFromTheBreakaways() {
       }
       QVERIFY2(worst < 4e-4, qPrintable(QString::number(worst)));
     }
+  }
+}
+
+/// In the slowest runs it stands in two bins for twenty times as long as it takes to pass them, until static friction
+/// is overcome: a peak with harmonics of all orders, that no faster run has.
+void TestVelocityFriction::placeWhereTheRotorSticks_isNoMovingFriction() {
+  auto all = runs(true, 0.0);
+  for (VelocityRun& run : all) {
+    if (std::abs(run.target_rad_per_s) > 30.0) continue;
+    const double static_A = (run.target_rad_per_s > 0.0 ? 1.0 : -1.0) * 0.026 / Kt;
+    for (const size_t bin : {100u, 101u}) {
+      for (size_t n = 0; n < 20 * 160; ++n) {
+        run.bins[bin].add(static_A, 0.0);
+        run.blocks[n / 400].bins[bin].add(static_A, 0.0);
+      }
+    }
+  }
+  const auto friction = fitMovingFriction(all, options());
+  QVERIFY(friction.ok());
+  for (const MovingFriction& way : *friction) {
+    double worstCoulomb = 0.0, worstViscous = 0.0;
+    for (size_t k = 0; k < way.coulomb_Nm.size(); ++k) {
+      const double angle = (static_cast<double>(k) + 0.5) * turn / static_cast<double>(way.coulomb_Nm.size());
+      worstCoulomb = std::max(worstCoulomb, std::abs(way.coulomb_Nm[k].value - coulomb(angle)));
+      worstViscous = std::max(worstViscous, std::abs(way.viscous_Nm_s_per_rad[k].value - viscous(angle)));
+    }
+    QVERIFY2(worstCoulomb < 0.02 * 0.017 && worstViscous < 0.15 * 2e-5,
+             qPrintable(QString("%1 and %2").arg(worstCoulomb / 0.017).arg(worstViscous / 2e-5)));
   }
 }
 
