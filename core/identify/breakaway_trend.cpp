@@ -8,6 +8,10 @@ namespace breakaway {
 namespace {
 
 constexpr size_t highestTrend = 30;
+constexpr size_t highestFine = 110, mostFine = 4;
+constexpr size_t leastForFine = 240;  // breakaways: 30 orders' worth
+constexpr double surelyFine = 40.0;   // gain in χ² of a finer order; the best of eighty gains ten by chance
+constexpr double leastSpread = 0.02;  // of cosines and sines, below which one is hardly told from the other
 constexpr int learningRounds = 40;
 constexpr double leastScatter2 = 1e-10;  // square of the least scatter, part of the breakaways' own variance
 constexpr double leastWave2 = 1e-8;      // of an order's variance, likewise
@@ -19,7 +23,44 @@ BreakawayTrend::BreakawayTrend(const std::vector<BreakawayEvent>& events, Way wa
   for (const BreakawayEvent& event : events) {
     if (event.way == way) same.push_back(&event);
   }
-  const auto orders = static_cast<Eigen::Index>(std::min(highestTrend, same.size() / 8));
+  for (size_t k = 1; k <= std::min(highestTrend, same.size() / 8); ++k) orders_.push_back(static_cast<double>(k));
+  fit(same);
+  for (size_t k = 0; k < mostFine && same.size() >= leastForFine; ++k) {
+    const size_t order = finerOrder(same);
+    if (order == 0) return;
+    orders_.push_back(static_cast<double>(order));
+    fit(same);
+  }
+}
+
+/// The order beyond the others that takes most off what they leave; 0 where chance could have made it.
+size_t BreakawayTrend::finerOrder(const std::vector<const BreakawayEvent*>& events) const {
+  std::vector<double> left;
+  double squares = 0.0;
+  for (const BreakawayEvent* event : events) {
+    left.push_back(event->torque_Nm - torqueAt_Nm(event->angle_rad));
+    squares += left.back() * left.back();
+  }
+  const auto count = static_cast<double>(events.size());
+  size_t best = 0;
+  double most = surelyFine * squares / count;
+  for (size_t k = highestTrend + 1; k <= highestFine; ++k) {
+    if (std::find(orders_.begin(), orders_.end(), static_cast<double>(k)) != orders_.end()) continue;
+    double c = 0.0, s = 0.0, cc = 0.0, ss = 0.0, cs = 0.0;
+    for (size_t j = 0; j < left.size(); ++j) {
+      const double angle = static_cast<double>(k) * events[j]->angle_rad, x = std::cos(angle), y = std::sin(angle);
+      c += left[j] * x, s += left[j] * y, cc += x * x, ss += y * y, cs += x * y;
+    }
+    const double determinant = cc * ss - cs * cs;
+    if (!(determinant > leastSpread * count * count)) continue;
+    const double taken = (ss * c * c - 2.0 * cs * c * s + cc * s * s) / determinant;
+    if (taken > most) most = taken, best = k;
+  }
+  return best;
+}
+
+void BreakawayTrend::fit(const std::vector<const BreakawayEvent*>& same) {
+  const auto orders = static_cast<Eigen::Index>(orders_.size());
   const Eigen::Index n = 2 * orders + 1;
   const auto count = static_cast<double>(same.size());
   x_ = Eigen::VectorXd::Zero(n);
@@ -68,7 +109,7 @@ double BreakawayTrend::slopeAt_Nm_per_rad(double angle_rad) const {
   const Eigen::VectorXd row = rowAt(angle_rad);
   double slope = 0.0;
   for (Eigen::Index k = 1; 2 * k < x_.size(); ++k)
-    slope += static_cast<double>(k) * (row[2 * k - 1] * x_[2 * k] - row[2 * k] * x_[2 * k - 1]);
+    slope += orders_[static_cast<size_t>(k - 1)] * (row[2 * k - 1] * x_[2 * k] - row[2 * k] * x_[2 * k - 1]);
   return slope;
 }
 
@@ -81,8 +122,9 @@ Eigen::VectorXd BreakawayTrend::rowAt(double angle_rad) const {
   Eigen::VectorXd row(x_.size());
   row[0] = 1.0;
   for (Eigen::Index k = 1; 2 * k < row.size(); ++k) {
-    row[2 * k - 1] = std::cos(static_cast<double>(k) * angle_rad);
-    row[2 * k] = std::sin(static_cast<double>(k) * angle_rad);
+    const double angle = orders_[static_cast<size_t>(k - 1)] * angle_rad;
+    row[2 * k - 1] = std::cos(angle);
+    row[2 * k] = std::sin(angle);
   }
   return row;
 }

@@ -15,7 +15,8 @@ namespace breakaway {
 /// what those leave open there is in its error; least squares would swing in it as they like.
 class BreakawayTrend {
  public:
-  /// Of all turns of the way; as many orders as an eighth of the breakaways, 30 at most.
+  /// Of all turns of the way; as many orders as an eighth of the breakaways, 30 at most, and of finer ones those few
+  /// that stand out of what is left: a stepper's steps, a gear's teeth, a gimbal motor's slots.
   BreakawayTrend(const std::vector<BreakawayEvent>& events, Way way);
 
   double torqueAt_Nm(double angle_rad) const { return rowAt(angle_rad).dot(x_); }
@@ -24,7 +25,10 @@ class BreakawayTrend {
   double errorAt_Nm(double angle_rad) const;
 
  private:
+  void fit(const std::vector<const BreakawayEvent*>& events);
+  size_t finerOrder(const std::vector<const BreakawayEvent*>& events) const;
   Eigen::VectorXd rowAt(double angle_rad) const;
+  std::vector<double> orders_;
   Eigen::VectorXd x_;  ///< mean, then cosine and sine of each order
   Eigen::MatrixXd covariance_;
 };

@@ -17,6 +17,7 @@ constexpr int rounds = 8;  // each leaves about D of the error
 constexpr double mostOff_rad = 0.3;
 constexpr double leastSettled = 0.02;  // of D, that the last round may still add
 constexpr double settledEnough = 1e-4;
+constexpr double mostLeft = 0.5;  // of a round's step, that the next one may still take
 
 }  // namespace
 
@@ -43,6 +44,7 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
   VelocityFrictionOptions options = given;
   options.disc = {};
   if (!(options.inertia_kg_m2 > 0.0)) return {};
+  double first_rad = 0.0, before_rad = 0.0;
   for (int round = 0; round < rounds; ++round) {
     auto ways = wayRunsOf(runs, options);
     if (!ways) return {};
@@ -52,6 +54,10 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
     const auto swing = swingOf(*ways);
     if (!swing || (round == 0 && !swing->clear())) return {};
     const Complex further = swing->wave / options.inertia_kg_m2;
+    if (round == 0) first_rad = std::abs(further);
+    // A disc that is one is left with the less of a wave, the nearer it is to the truth.
+    if (round > 0 && std::abs(further) > mostLeft * before_rad) return {{}, 0.0, first_rad};
+    before_rad = std::abs(further);
     options.disc.off_rad += further;
     options.disc.variance_rad2 = swing->variance / (options.inertia_kg_m2 * options.inertia_kg_m2);
     const bool settled = std::abs(further) < leastSettled * std::abs(options.disc.off_rad);
@@ -59,6 +65,8 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
       return {{}, 0.0, std::abs(options.disc.off_rad)};
     if (std::abs(further) < settledEnough * std::abs(options.disc.off_rad)) break;
   }
+  // As clear in the end as it was at first sight.
+  if (!EncoderSwing{options.disc.off_rad, options.disc.variance_rad2, {}}.clear()) return {{}, 0.0, first_rad};
   return options.disc;
 }
 

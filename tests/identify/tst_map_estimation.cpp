@@ -15,6 +15,7 @@ class TestMapEstimation : public QObject {
   void everyBin_isFilledAndNearTheTruth();
   void missingBreakaways_areInterpolated();
   void stretchWithoutBreakaways_isBridged();
+  void slotsFinerThanTheBinsMiddlesShow_areFollowed();
   void standardError_matchesTheScatter();
   void intervalsHoldTheTruth_data();
   void intervalsHoldTheTruth();
@@ -115,6 +116,27 @@ void TestMapEstimation::stretchWithoutBreakaways_isBridged() {
     const double share = static_cast<double>(within) / static_cast<double>(bins);
     QVERIFY2(share > 0.85, qPrintable(QString("%1 bins: %2").arg(wide).arg(share)));
   }
+}
+
+/// A gimbal motor's slots, 84 to the turn, and breakaways anywhere within 180 bins: straight lines between those had
+/// cut a quarter off them.
+void TestMapEstimation::slotsFinerThanTheBinsMiddlesShow_areFollowed() {
+  const auto slotsAt = [](double angle) { return 0.006 * std::cos(84.0 * angle - 0.7); };
+  auto all = events(0.01, 0.0, 1.0, 5, 4);
+  for (BreakawayEvent& event : all) {
+    const double more_A = (event.way == Way::cw ? 1.0 : -1.0) * slotsAt(event.angle_rad) / Kt;
+    for (double* one : {&event.commanded_A, &event.commandedMean_A, &event.measuredMean_A, &event.current_A})
+      *one += more_A;
+  }
+  const auto map = estimateMap(all, nullptr, options());
+  QVERIFY(map.ok());
+  double squares = 0.0;
+  for (const MapBin& bin : map->bins) {
+    const double off = bin.way[1].static_Nm.value - truth(bin.angle_rad) + slotsAt(bin.angle_rad);
+    squares += off * off;
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(map->bins.size())) / 0.021;
+  QVERIFY2(rms < 0.02, qPrintable(QString::number(rms)));
 }
 
 void TestMapEstimation::standardError_matchesTheScatter() {

@@ -19,6 +19,7 @@ class TestSharedErrors : public QObject {
   void discOffItsCentre_isFoundAndTakenOff();
   void discInItsCentre_isNotFound();
   void discFurtherOffThanAny_isSaidAndNotTakenOff();
+  void waveOfASlowRunAlone_isNoDisc();
   void evenSpeed_isTakenAsEvenOverAnySpan();
   void currentBetweenSamples_isWhereTheWindingTookIt();
   void whatIsOffAboutALargeWave_isInTheInterval();
@@ -149,6 +150,21 @@ void TestSharedErrors::discFurtherOffThanAny_isSaidAndNotTakenOff() {
   const EncoderDisc found = fitDisc(runs(heldBy(truth), truth), options());
   QVERIFY(!found.known());
   QVERIFY2(found.unsettled_rad > 0.3, qPrintable(QString::number(found.unsettled_rad)));
+}
+
+/// Friction that still falls at the slowest speed of one way, once per turn: with a straight line through the others it
+/// looks like what grows with the square of the speed, and no disc settles.
+void TestSharedErrors::waveOfASlowRunAlone_isNoDisc() {
+  for (const double part : {0.05, 0.1, 0.2, 0.4}) {
+    for (const double slow : {20.0, -20.0}) {
+      const auto fallsOnce = [part, slow](double angle, double speed) {
+        return Place{angle, 1.0, 0.0, speed == slow ? 0.017 * part * std::cos(angle) : 0.0};
+      };
+      const EncoderDisc disc = fitDisc(runs(fallsOnce), options());
+      QVERIFY2(std::abs(disc.off_rad) < 0.005,
+               qPrintable(QString("%1 at %2: %3").arg(part).arg(slow).arg(std::abs(disc.off_rad))));
+    }
+  }
 }
 
 void TestSharedErrors::evenSpeed_isTakenAsEvenOverAnySpan() {
