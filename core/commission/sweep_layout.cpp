@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/numbers.h"
+#include "experiment/angle_cells.h"
 #include "experiment/velocity_sweep.h"
 #include "identify/shaft_load.h"
 
@@ -53,9 +54,12 @@ VelocityFrictionOptions frictionOptions(const Commission& known) {
   options.windingTime_s = resistance_ohm > 0.0 ? known.motor.inductance_H.value / resistance_ohm : 0.0;
   options.zeroError_A = known.runsZeroError_A;
   options.angleError_rad = known.indexAngle_rad.standardError;
-  if (!known.runs.empty())
-    options.beyondBins_rad =
-        beyondBins_rad(known.identity.countsPerRev, known.runs.front().bins.size(), known.indexAngle_rad.value);
+  if (!known.runs.empty()) {
+    const size_t bins = known.runs.front().bins.size();
+    options.beyondBins_rad = beyondBins_rad(known.identity.countsPerRev, bins, known.indexAngle_rad.value);
+    options.evenBins = known.identity.countsPerRev > 0.0 && bins > 0 &&
+                       std::fmod(known.identity.countsPerRev, countsPerLine * static_cast<double>(bins)) == 0.0;
+  }
   options.bins = known.sweeps.bins;
   return options;
 }
@@ -66,11 +70,14 @@ size_t binsOfWholeCounts(double countsPerRev, size_t wanted) {
     return std::abs(std::log(static_cast<double>(bins) / static_cast<double>(wanted)));
   };
   if (counts > 0 && counts < wanted) return counts;
-  size_t best = 0;
-  for (size_t bins = wanted / 2; bins <= std::min(2 * wanted, counts); ++bins) {
-    if (counts % bins == 0 && (best == 0 || off(bins) < off(best))) best = bins;
+  for (const size_t each : {static_cast<size_t>(countsPerLine), size_t{1}}) {
+    size_t best = 0;
+    for (size_t bins = wanted / 2; bins <= std::min(2 * wanted, counts); ++bins) {
+      if (counts % (each * bins) == 0 && (best == 0 || off(bins) < off(best))) best = bins;
+    }
+    if (best > 0) return best;
   }
-  return best > 0 ? best : wanted;
+  return wanted;
 }
 
 MapOptions mapOptions(const Commission& known, const std::string& rig) {

@@ -31,8 +31,9 @@ void countFresh(const std::vector<ZeroReading>& zeros, double noiseRms_A, size_t
   countFrom(ZeroTrack(zeros, noiseRms_A), std::span(all).subspan(before));
 }
 
-/// As many bins around the rotor as wanted, between half and twice of it so that each holds a whole number of counts: a
-/// count more in every few bins would be a wave of its own. A coarse encoder's counts, where they are fewer.
+/// As many bins around the rotor as wanted, between half and twice of it so that each holds a whole number of lines, or
+/// else of counts: a count more in every few bins would be a wave of its own. A coarse encoder's counts, where they are
+/// fewer.
 size_t binsOfWholeCounts(double countsPerRev, size_t wanted);
 
 /// Breakaways that are missing, as a remark.

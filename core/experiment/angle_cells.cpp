@@ -15,7 +15,7 @@ size_t cellsPerBin(double countsPerRev, size_t bins, double samples) {
   const double perBin = countsPerRev / static_cast<double>(bins), room = samples / static_cast<double>(bins);
   for (size_t cells = mostPerBin; cells > 1; --cells) {
     const auto n = static_cast<double>(cells);
-    if (std::fmod(perBin, n) == 0.0 && room >= n * fewestSamples) return cells;
+    if (std::fmod(perBin, n * countsPerLine) == 0.0 && room >= n * fewestSamples) return cells;
   }
   return 1;
 }

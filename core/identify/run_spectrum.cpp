@@ -86,8 +86,9 @@ class Waves {
 using Speeds = std::vector<double>;
 
 /// Central differences over more than a bin show fine ripple flatter; how many samples fell into a bin tells how long
-/// the rotor was in it. What the numbers scatter beyond their rounding in each pass is such ripple.
-Speeds speedsOf(const std::vector<AngleBinSums>& bins, double turns, const EncoderDisc& disc,
+/// the rotor was in it, where bins are even. What the numbers scatter beyond their rounding in each pass is such
+/// ripple.
+Speeds speedsOf(const std::vector<AngleBinSums>& bins, double turns, const VelocityFrictionOptions& options,
                 const std::vector<double>& angles) {
   constexpr double roundingVariance = 1.0 / 6.0;  // of a number of samples, for any time in any phase
   Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
@@ -95,10 +96,10 @@ Speeds speedsOf(const std::vector<AngleBinSums>& bins, double turns, const Encod
   std::vector<double> widths(bins.size(), 1.0);
   for (size_t k = 0; k < bins.size(); ++k) {
     if (bins[k].samples == 0) return speeds;
-    if (disc.known()) widths[k] = disc.gainAt(angles[k]);
+    if (options.disc.known()) widths[k] = options.disc.gainAt(angles[k]);
     covered += static_cast<double>(bins[k].samples) * speeds[k];
   }
-  if (covered == 0.0) return speeds;
+  if (covered == 0.0 || !options.evenBins) return speeds;
   const auto n = static_cast<double>(bins.size());
   std::vector<double> beyond(bins.size());  // the angle that a bin's samples seem to cover, over its own, less 1
   for (size_t k = 0; k < bins.size(); ++k) {
@@ -356,9 +357,9 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
   for (const VelocityRun& part : parts) {
     const auto turnsOfPart = static_cast<double>(part.turns);
     const auto all = freedOf(options.disc, part.bins, angles, part.halfSpan_s);
-    const auto stuck = stuckIn(speedsOf(all, turnsOfPart, options.disc, angles));
+    const auto stuck = stuckIn(speedsOf(all, turnsOfPart, options, angles));
     const auto bins = movingOf(all, stuck);
-    const Speeds speeds = speedsOf(bins, turnsOfPart, options.disc, angles);
+    const Speeds speeds = speedsOf(bins, turnsOfPart, options, angles);
     const Stretch whole(static_cast<double>(part.turns), part.blocks, part.target_rad_per_s);
     const double share = parts.size() > 1 ? static_cast<double>(part.turns) / turns : 1.0;
     spectrum.speed_rad_per_s +=
@@ -367,7 +368,7 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
     addShare(found, share, spectrum);
     if (std::find(stuck.begin(), stuck.end(), true) != stuck.end()) {
       const auto asSeen =
-          harmonicsOf(all, speedsOf(all, turnsOfPart, options.disc, angles), waves, whole, part, highest, options);
+          harmonicsOf(all, speedsOf(all, turnsOfPart, options, angles), waves, whole, part, highest, options);
       for (size_t k = 0; k <= highest; ++k) replaced[k] += share * (asSeen.torque_Nm[k] - found.torque_Nm[k]);
     }
     for (const RunBlock& block : part.blocks) {

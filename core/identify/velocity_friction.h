@@ -27,6 +27,7 @@ struct VelocityFrictionOptions {
   double mostError = 0.02;
   double significance = 2.5;    ///< standard errors by which a harmonic of that current must stand out
   double angleError_rad = 0.0;  ///< standard error of where the index is, common to all runs
+  bool evenBins = false;        ///< as wide as each other: they hold whole lines of the encoder (angle_cells.h)
   double beyondBins_rad = 0.0;  ///< by which the runs' samples lie beyond their bins' middles
   EncoderDisc disc;             ///< that the runs' angles and speeds are freed of (fitDisc)
   /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
