@@ -110,8 +110,11 @@ struct PlantPhysics {
   struct Wall {
     double from_s = 0.0, at_rad = 0.0, side = 1.0;  ///< +1: beyond it angles are larger
     double stiffness = 0.0, damping = 0.0;
+    bool placed = false;  ///< where it is in the way of what stood or moved at that time
   };
-  std::vector<Wall> walls;  ///< stops on one side of what the encoder's side carries, from a time on
+  /// Stops on one side of what the encoder's side carries, from a time on. Where that is beyond one by then, a rotor
+  /// meets it at the same place of the next turn, and a linear axis on its way back.
+  std::vector<Wall> walls;
 
   double delay_s = 0.0;          ///< of the input
   double inputLimit = 0.0;       ///< clips the input

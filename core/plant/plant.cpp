@@ -115,6 +115,20 @@ double Plant::outerTorque(double angle_rad) const {
   return torque;
 }
 
+void Plant::placeWalls() {
+  for (auto& wall : physics_.walls) {
+    if (wall.placed || time_s_ < wall.from_s) continue;
+    wall.placed = true;
+    const double beyond = wall.side * (encoderAngle_rad() - wall.at_rad);
+    if (beyond <= 0.0) continue;
+    if (physics_.stops.present) {
+      wall.side = -wall.side;
+    } else {
+      wall.at_rad += wall.side * turn_rad * std::ceil(beyond / turn_rad);
+    }
+  }
+}
+
 double Plant::stopTorque(double angle_rad, double velocity) const {
   const auto& s = physics_.stops;
   double torque = 0.0;
@@ -130,6 +144,7 @@ double Plant::stopTorque(double angle_rad, double velocity) const {
 /// What acts on the motor's shaft from outside over a step, at the step's middle, where coupling and stops are then
 /// solved to second order.
 double Plant::outsideTorque(double duration_s) {
+  placeWalls();
   const double half = 0.5 * duration_s;
   const RigCoupling& coupling = physics_.coupling;
   const double outer =

@@ -69,6 +69,7 @@ class Plant {
   double warmth() const;
   double rested() const;
   double outerTorque(double angle_rad) const;
+  void placeWalls();
   double stopTorque(double angle_rad, double velocity) const;
   double outsideTorque(double duration_s);
   void moveLoad(double duration_s);

@@ -15,6 +15,7 @@ class TestPlant : public QObject {
   void breakaway_comesAtTheClosedFormsMoment();
   void coastingOnCoulombAlone_stopsAtTheClosedFormsAngle();
   void steadySpeed_solvesTheTorqueBalance();
+  void stopThatComesBehindTheRotor_isMetInTheNextTurn();
   void halvedSteps_changeTheStoppingAngleLittle();
   void positionTorqueBeyondFriction_rollsIntoItsValley();
   void scatter_hasTheRmsAskedFor();
@@ -101,6 +102,31 @@ void TestPlant::steadySpeed_solvesTheTorqueBalance() {
   const double speed = (12.0 - 1.2 * 0.017 / 0.07) / (0.07 + 1.2 * 2e-5 / 0.07);
   QVERIFY(std::abs(plant.velocity_rad_per_s() / speed - 1.0) < 1e-9);
   QVERIFY(std::abs(plant.current_A() - (0.017 + 2e-5 * speed) / 0.07) < 1e-9);
+}
+
+/// Many turns beyond a stop's angle when that comes, a rotor isn't thrown back by all of them.
+void TestPlant::stopThatComesBehindTheRotor_isMetInTheNextTurn() {
+  for (const double way : {1.0, -1.0}) {
+    Rig rig = plainRig();
+    RigWiring stop;
+    stop.kind = WiringKind::stopAt;
+    stop.value = way * 1.0;
+    stop.from_s = 0.5;
+    rig.wiring = {stop};
+    Plant plant(rig, 50e-6, 1);
+    const double start = plant.angle_rad();
+    plant.applyVoltage(way * 3.0);
+    plant.advance(9990);
+    const double before = plant.angle_rad(), fastest = std::abs(plant.velocity_rad_per_s());
+    QVERIFY(std::abs(before - start) > 10.0);
+    for (int k = 0; k < 500; ++k) {
+      plant.advance(20);
+      QVERIFY(std::abs(plant.velocity_rad_per_s()) < 1.05 * fastest);
+    }
+    const double turns = way * (plant.angle_rad() - start - way) / (2.0 * std::numbers::pi);
+    QVERIFY(std::abs(plant.angle_rad() - before) < 2.0 * std::numbers::pi + 0.1);
+    QVERIFY2(std::abs(turns - std::round(turns)) < 0.01, qPrintable(QString::number(turns)));
+  }
 }
 
 void TestPlant::halvedSteps_changeTheStoppingAngleLittle() {
