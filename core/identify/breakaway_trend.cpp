@@ -11,7 +11,7 @@ constexpr size_t highestTrend = 30;
 constexpr size_t highestFine = 110, mostFine = 4;
 constexpr size_t leastForFine = 240;  // breakaways: 30 orders' worth
 constexpr double surelyFine = 40.0;   // gain in χ² of a finer order; the best of eighty gains ten by chance
-constexpr double leastSpread = 0.02;  // of cosines and sines, below which one is hardly told from the other
+constexpr double leastSpread = 0.08;  // of cosines' and sines' determinant, over breakaways squared; even: 0.25
 constexpr int learningRounds = 40;
 constexpr double leastScatter2 = 1e-10;  // square of the least scatter, part of the breakaways' own variance
 constexpr double leastWave2 = 1e-8;      // of an order's variance, likewise
@@ -46,11 +46,13 @@ size_t BreakawayTrend::finerOrder(const std::vector<const BreakawayEvent*>& even
   double most = surelyFine * squares / count;
   for (size_t k = highestTrend + 1; k <= highestFine; ++k) {
     if (std::find(orders_.begin(), orders_.end(), static_cast<double>(k)) != orders_.end()) continue;
-    double c = 0.0, s = 0.0, cc = 0.0, ss = 0.0, cs = 0.0;
+    double c = 0.0, s = 0.0, cc = 0.0, ss = 0.0, cs = 0.0, meanX = 0.0, meanY = 0.0;
     for (size_t j = 0; j < left.size(); ++j) {
       const double angle = static_cast<double>(k) * events[j]->angle_rad, x = std::cos(angle), y = std::sin(angle);
-      c += left[j] * x, s += left[j] * y, cc += x * x, ss += y * y, cs += x * y;
+      c += left[j] * x, s += left[j] * y, cc += x * x, ss += y * y, cs += x * y, meanX += x / count, meanY += y / count;
     }
+    // Around their means: where strong cogging lets a rotor rest in its valleys only, its crests are nobody's guess.
+    cc -= count * meanX * meanX, ss -= count * meanY * meanY, cs -= count * meanX * meanY;
     const double determinant = cc * ss - cs * cs;
     if (!(determinant > leastSpread * count * count)) continue;
     const double taken = (ss * c * c - 2.0 * cs * c * s + cc * s * s) / determinant;

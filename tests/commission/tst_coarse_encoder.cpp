@@ -19,9 +19,9 @@ class TestCoarseEncoder : public QObject {
 
 void TestCoarseEncoder::bins_holdWholeCounts() {
   QCOMPARE(binsOfWholeCounts(14400, 360), size_t{360});
-  QCOMPARE(binsOfWholeCounts(4000, 360), size_t{400});
+  QCOMPARE(binsOfWholeCounts(4000, 360), size_t{500});  // of two lines; 400 would be of two and a half
   QCOMPARE(binsOfWholeCounts(4096, 360), size_t{256});
-  QCOMPARE(binsOfWholeCounts(64, 360), size_t{64});
+  QCOMPARE(binsOfWholeCounts(64, 360), size_t{64});     // of single counts
   QCOMPARE(binsOfWholeCounts(4099, 360), size_t{360});  // a prime
   QCOMPARE(binsOfWholeCounts(0, 360), size_t{360});
 }
