@@ -48,7 +48,8 @@ Message IndexWatch::step(const Sample& sample) {
   seen_ = false;
   if (!missed) return {};
   return message(
-      "the index did not come where homing found it; check the encoder's index wire, home again, then go on");
+      "the index did not come where homing found it; check the encoder's index wire, and whether its counts per turn "
+      "still hold (A and B, coupling); home again, then go on");
 }
 
 }  // namespace breakaway
