@@ -23,7 +23,7 @@ TravelSearch::TravelSearch(const TravelSearchOptions& options)
 void TravelSearch::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
   stageStart_m_ = anchor_m_ = sample.angle_rad;
-  anchor_s_ = sample.time_s;
+  anchor_s_ = far_s_ = sample.time_s;
   furthest_m_ = sample.angle_rad;
   left_ = false;
 }
@@ -110,8 +110,11 @@ Command TravelSearch::towardsEnd(const Sample& sample) {
 }
 
 Command TravelSearch::toMiddle(const Sample& sample) {
-  if (stalled(sample)) {
-    if (std::abs(sample.angle_rad - travel_.middle_m()) < travel_.margin_m) {
+  constexpr double swings = 4.0;  // of a stall's time: around the middle a loop may hunt, between sticking and slipping
+  const bool near = std::abs(sample.angle_rad - travel_.middle_m()) < travel_.margin_m;
+  if (!near) far_s_ = sample.time_s;
+  if (stalled(sample) || sample.time_s - far_s_ > swings * options_.stall_s) {
+    if (near) {
       finish();
     } else {
       fail(message("the axis stopped at {} from its lower end on the way to the middle; is something in its way?",

@@ -55,7 +55,7 @@ class TravelSearch : public TimedProcedure {
   Glide glide_;
   double motion_m_ = 0.0, limit_A_ = 0.0, moving_A_ = 0.0, way_ = 1.0;
   double pauseEnd_s_ = 0.0;
-  double anchor_m_ = 0.0, anchor_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0;
+  double anchor_m_ = 0.0, anchor_s_ = 0.0, far_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0;
   double furthest_m_ = 0.0;  ///< in this stage's way
   bool left_ = false;
 };
