@@ -20,6 +20,7 @@ class TestTravel : public QObject {
  private slots:
   void bothEnds_areFeltWhereverTheAxisStands_data();
   void bothEnds_areFeltWhereverTheAxisStands();
+  void oneThatHuntsAroundTheMiddle_isThere();
   void aClampedAxis_isToldInWords();
   void troubles_endStoppedAndInWords_data();
   void troubles_endStoppedAndInWords();
@@ -126,6 +127,28 @@ void TestTravel::bothEnds_areFeltWhereverTheAxisStands() {
   QVERIFY(std::abs(search->travel().high_m - (1.0 - start) * 0.12) < 1e-4);
   // Gently: friction takes 0.44 A here.
   QVERIFY2(strongest_A < 1.6, qPrintable(QString::number(strongest_A)));
+}
+
+/// Between sticking and slipping the loop takes it to and fro by more than what counts as motion, and never comes to
+/// rest.
+void TestTravel::oneThatHuntsAroundTheMiddle_isThere() {
+  TravelSearchOptions options;
+  options.mostLimit_A = 5.0;
+  options.firstLimit_A = 1.0;
+  TravelSearch search(options);
+  Sample sample;
+  double at_m = 0.03, hunts_m = 0.0;
+  for (int k = 0; search.state() != Procedure::State::failed && search.state() != Procedure::State::finished; ++k) {
+    sample.time_s = 1e-3 * k;
+    sample.angle_rad = at_m + hunts_m;
+    const Command command = search.step(sample);
+    const double speed = command.mode == Command::Mode::velocity ? command.target : 0.0;
+    const bool middle = std::abs(speed) < 0.01 && k > 5000;
+    hunts_m = middle ? 6e-4 * std::sin(20.0 * sample.time_s) : 0.0;
+    at_m = std::clamp(at_m + 1e-3 * speed, 0.0, 0.12);
+  }
+  QVERIFY2(search.state() == Procedure::State::finished, search.status().failure.c_str());
+  QVERIFY2(sample.time_s < 30.0, qPrintable(QString::number(sample.time_s)));
 }
 
 void TestTravel::aClampedAxis_isToldInWords() {
