@@ -3,19 +3,12 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <algorithm>
-#include <iterator>
-#include <string_view>
 
 namespace breakaway {
 
 namespace {
 
-struct KindInWords {
-  std::string_view name;
-  const char* words;
-};
-
-constexpr KindInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
+constexpr NameInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
                                      {"map", QT_TRANSLATE_NOOP("RunWords", "Friction map")},
                                      {"identification", QT_TRANSLATE_NOOP("RunWords", "Motor")},
                                      {"diagnosis", QT_TRANSLATE_NOOP("RunWords", "Diagnosis")},
@@ -24,16 +17,20 @@ constexpr KindInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords"
                                      {"batch", QT_TRANSLATE_NOOP("RunWords", "Batch")},
                                      {"files", QT_TRANSLATE_NOOP("RunWords", "Files")}};
 
-QString titleText(const char* text) {
+}  // namespace
+
+QString runText(const char* text) {
   return QCoreApplication::translate("RunWords", text);
 }
 
-}  // namespace
+QString inWords(std::span<const NameInWords> list, const std::string& name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&name](const NameInWords& one) { return one.name == name; });
+  return found == list.end() ? QString::fromStdString(name) : runText(found->words);
+}
 
 QString kindInWords(const std::string& kind) {
-  const auto* found = std::find_if(std::begin(kindWords), std::end(kindWords),
-                                   [&kind](const KindInWords& one) { return one.name == kind; });
-  return found == std::end(kindWords) ? QString::fromStdString(kind) : titleText(found->words);
+  return inWords(kindWords, kind);
 }
 
 QString timeInWords(const ProjectRun& run) {
@@ -42,8 +39,7 @@ QString timeInWords(const ProjectRun& run) {
 }
 
 QString titleOf(const ProjectRun& run) {
-  const QString title =
-      titleText(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
+  const QString title = runText(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
   return run.name.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(run.name));
 }
 
