@@ -143,10 +143,10 @@ void ComparePage::buildFindings() {
   ticked_ = new ElidedLabel("tickedLine", group);
   ticked_->setFont(typed(Type::caption));
   ticked_->setProperty("tone", "muted");
-  columnOf(group)->addWidget(ticked_);
   findings_ = new FindingsList(comparison_, group);
   runExperiment_ = pushButton(group, "runExperimentButton", tr("Run the next experiment"));
   columnOf(group)->addWidget(runExperiment_);  // above the list, which is long
+  columnOf(group)->addWidget(ticked_);
   columnOf(group)->addWidget(findings_);
   connect(runExperiment_, &QPushButton::clicked, &experiment_, &ExperimentRun::start);
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
@@ -303,7 +303,7 @@ std::vector<Fact> ComparePage::baseFacts(const Diagnosis& diagnosis) {
   std::vector<Fact> facts;
   for (const Parameter& parameter : diagnosis.model.base) {  // as the command says them: beside the findings
     const ParameterWords words = wordsOf(parameter);
-    facts.push_back({words.name, QString("%1 %2").arg(words.value, words.unit),
+    facts.push_back({words.name, words.estimate,
                      words.interval.isEmpty() ? tr("Held as declared")
                                               : tr("%1 %2 with 95 % confidence").arg(words.interval, words.unit)});
   }
@@ -328,6 +328,7 @@ void ComparePage::showProof() {
   }
   const bool drawn = diagnosis && !comparison_.shownTrace().position.empty();
   const QString off = drawn ? channelText(comparison_.shownRmse(), comparison_.shownChannel()) : QString();
+  ticked_->setVisible(diagnosis && !diagnosis->findings.empty());
   ticked_->setText(!drawn ? tr("Untick one to see the fit without it")
                    : diagnosis->fit.inTorque()
                        ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "commission/unfinished_job.h"
+#include "friction/static_average.h"
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
@@ -291,16 +292,11 @@ void FrictionPage::showAverages(const Commission& known) {
        tr("Mean of both ways at zero speed, 95 % interval")},
       {tr("Viscous"), withInterval(viscous, units.viscousScale, units.viscous), tr("Slope with speed, 95 % interval")}};
   if (known.knows(Known::map)) {
-    const auto mean = [&known, &units](Way way) {
-      double sum_Nm = 0.0;
-      for (const MapBin& bin : known.map.bins) sum_Nm += bin.way[static_cast<size_t>(way)].static_Nm.value;
-      return tr("%1 %2")
-          .arg(numberText(units.torqueScale * sum_Nm / static_cast<double>(known.map.bins.size())))
-          .arg(units.torque);
-    };
     const QString ccw = shortWayName(Way::ccw, known.identity.axis), cw = shortWayName(Way::cw, known.identity.axis);
-    facts.push_back({tr("Static, %1").arg(ccw), mean(Way::ccw), {}});
-    facts.push_back({tr("Static, %1").arg(cw), mean(Way::cw), {}});
+    for (const Way way : {Way::ccw, Way::cw})
+      facts.push_back({tr("Static, %1").arg(way == Way::ccw ? ccw : cw),
+                       withInterval(staticAverage_Nm(known.map, way), units.torqueScale, units.torque),
+                       tr("Mean of all bins, which share their errors; 95 % interval")});
     const auto& repeat = known.map.repeatability;
     if (known.map.turns > 1) {
       const auto number = [](double value) { return QString::number(value, 'f', 3); };

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "pages/run_state.h"
@@ -13,7 +14,6 @@
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
 #include "widgets/facts_table.h"
-#include "widgets/fitted_scroll.h"
 #include "widgets/look.h"
 #include "widgets/motor_tests_plot.h"
 #include "widgets/number_text.h"
@@ -24,7 +24,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostSteps = 7;
-constexpr int cardHeight = 68, motorWidth = 352;
+constexpr int cardHeight = 68, motorWidth = 352, factsHeight = 268;
 
 QString resultText(const IdentifyStep& step) {
   if (step.state == IdentifyStep::State::failed) return step.trouble;
@@ -50,7 +50,10 @@ IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* pa
   columnOf(frame)->addWidget(tests_);
   picture()->addWidget(frame, 3);
   picture()->addWidget(buildFacts(), 4);
-  picture()->addWidget(run_);
+  auto* state = card(this);
+  columnOf(state)->setContentsMargins(12, 4, 12, 4);
+  columnOf(state)->addWidget(run_);
+  picture()->addWidget(state);
   connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
   connect(wiring_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::wiring); });
   connect(&connection_, &Connection::changed, this, &IdentifyPage::showSteps);
@@ -85,7 +88,13 @@ IdentifyPage::Card IdentifyPage::addCard(QVBoxLayout& column) {
 }
 
 QWidget* IdentifyPage::buildFacts() {
-  auto* area = new FittedScroll("identifyFacts", this);
+  auto* area = new QScrollArea(this);
+  area->setObjectName("identifyFacts");
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setMaximumHeight(factsHeight);  // whatever they say: what is above them stays as it is
   auto* group = new QWidget(area);
   group->setProperty("role", "column");
   auto* row = rowIn(group, 8);
@@ -158,23 +167,23 @@ void IdentifyPage::showFacts() {
   const Commission& known = bench_.known();
   const AxisUnits units = unitsOf(known.identity.axis);
   const bool linear = known.linear();
+  const IdentifiedMotor& motor = known.motor;
+  const QString scale = inLanguage(motor.gauge);
+  std::vector<Fact> facts{
+      {linear ? tr("Force constant") : tr("Torque constant"),
+       estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant), scale},
+      {tr("Resistance"), estimateText(motor.resistance_ohm, 1.0, tr("Ω")), {}},
+      {tr("Inductance"), estimateText(motor.inductance_H, 1e3, tr("mH")), {}},
+      {linear ? tr("Mass") : tr("Inertia"), estimateText(motor.inertia_kg_m2, units.inertiaScale, units.inertia),
+       scale},
+      {tr("Coulomb friction"), estimateText(motor.coulomb_Nm, units.torqueScale, units.torque),
+       tr("Mean of both ways")},
+      {tr("Viscous friction"), estimateText(motor.viscous_Nm_s_per_rad, units.viscousScale, units.viscous), {}},
+      {tr("Dead zone of the bridge"), estimateText(motor.deadZone_V, 1e3, tr("mV")), {}}};
   if (!known.knows(Known::motor)) {
-    motor_->show({{tr("Not identified yet"), {}, {}}});
-  } else {
-    const IdentifiedMotor& motor = known.motor;
-    const QString scale = inLanguage(motor.gauge);
-    motor_->show(
-        {{linear ? tr("Force constant") : tr("Torque constant"),
-          estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant), scale},
-         {tr("Resistance"), estimateText(motor.resistance_ohm, 1.0, tr("Ω")), {}},
-         {tr("Inductance"), estimateText(motor.inductance_H, 1e3, tr("mH")), {}},
-         {linear ? tr("Mass") : tr("Inertia"), estimateText(motor.inertia_kg_m2, units.inertiaScale, units.inertia),
-          scale},
-         {tr("Coulomb friction"), estimateText(motor.coulomb_Nm, units.torqueScale, units.torque),
-          tr("Mean of both ways")},
-         {tr("Viscous friction"), estimateText(motor.viscous_Nm_s_per_rad, units.viscousScale, units.viscous), {}},
-         {tr("Dead zone of the bridge"), estimateText(motor.deadZone_V, 1e3, tr("mV")), {}}});
+    for (Fact& fact : facts) fact = {fact.name, tr("–"), tr("Not identified yet")};
   }
+  motor_->show(facts);
   std::vector<Fact> wires;
   if (known.knows(Known::wiring) && known.wiring) {
     for (const Message& sentence :

@@ -14,7 +14,8 @@
 namespace breakaway {
 
 namespace {
-constexpr int margin = 16, gutter = 24, headButtonHeight = 32, primaryWidth = 224, readingHeight = 28;
+constexpr int margin = 16, gutter = 24, headButtonHeight = 32, primaryWidth = 224, readingHeight = 28,
+              narrowBelow_px = 1000;
 }  // namespace
 
 Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
@@ -23,20 +24,24 @@ Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWid
   auto* column = columnIn(this, 12, {margin, 8, margin, 12});
   auto* top = new QHBoxLayout;
   top->setSpacing(8);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(0);
+  words_ = new QVBoxLayout;
+  words_->setSpacing(0);
   head_ = new ElidedLabel("pageTitle", this);
   head_->setFont(typed(Type::title));
   sentence_ = new ElidedLabel("pageSentence", this);
   sentence_->setProperty("tone", "muted");
-  words->addWidget(head_);
-  words->addWidget(sentence_);
-  top->addLayout(words, 1);
-  top->addSpacing(gutter - 8);
+  words_->addWidget(head_);
+  words_->addWidget(sentence_);
+  top->addLayout(words_, 1);
+  gap_ = new QSpacerItem(gutter - 8, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  top->addItem(gap_);
   buttons_ = new QHBoxLayout;
   buttons_->setSpacing(8);
   top->addLayout(buttons_);
-  column->addLayout(top);
+  top_ = new QVBoxLayout;
+  top_->setSpacing(4);
+  top_->addLayout(top);
+  column->addLayout(top_);
   body_ = new QHBoxLayout;
   body_->setSpacing(gutter);
   picture_ = new QVBoxLayout;
@@ -85,15 +90,28 @@ QVBoxLayout* Page::settings() {
 }
 
 void Page::addReading(const char* objectName) {
-  auto* frame = new QFrame(this);
-  frame->setProperty("role", "card");
-  frame->setFixedHeight(readingHeight);
-  auto* row = rowIn(frame, 0, {12, 0, 12, 0});
-  reading_ = new ElidedLabel(objectName, frame);
+  readingFrame_ = new QFrame(this);
+  readingFrame_->setProperty("role", "card");
+  readingFrame_->setFixedHeight(readingHeight);
+  auto* row = rowIn(readingFrame_, 0, {12, 0, 12, 0});
+  reading_ = new ElidedLabel(objectName, readingFrame_);
   reading_->setAccessibleName(tr("Reading"));
   reading_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
   row->addWidget(reading_);
-  picture_->addWidget(frame);
+  picture_->addWidget(readingFrame_);
+}
+
+void Page::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (narrow_ == (width() < narrowBelow_px)) return;
+  narrow_ = !narrow_;
+  arrange();
+}
+
+void Page::arrange() {
+  (narrow_ ? top_ : words_)->addWidget(sentence_);
+  gap_->changeSize(narrow_ ? 0 : gutter - 8, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  if (readingFrame_ != nullptr) (narrow_ ? static_cast<QVBoxLayout*>(layout()) : picture_)->addWidget(readingFrame_);
 }
 
 void Page::read(const QString& text) {

@@ -8,9 +8,11 @@
 
 #include "widgets/step_state.h"
 
+class QFrame;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QSpacerItem;
 class QVBoxLayout;
 
 namespace breakaway {
@@ -56,13 +58,23 @@ class Page : public QWidget {
   void addReading(const char* objectName);
   void read(const QString& text);
   void setState(const StepState& state);
+  /// Beside something else there is less room: the sentence goes beneath the buttons, the reading line beneath all.
+  bool narrow() const { return narrow_; }
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void arrange();
+
   QString title_;
   StepState state_;
   ElidedLabel* head_ = nullptr;
   ElidedLabel* sentence_ = nullptr;
   ElidedLabel* reading_ = nullptr;
+  QFrame* readingFrame_ = nullptr;
+  bool narrow_ = false;
+  QSpacerItem* gap_ = nullptr;    ///< before the buttons
+  QVBoxLayout* words_ = nullptr;  ///< title and sentence
+  QVBoxLayout* top_ = nullptr;    ///< the head's rows
   QHBoxLayout* buttons_ = nullptr;
   QHBoxLayout* body_ = nullptr;
   QVBoxLayout* settings_ = nullptr;

@@ -24,7 +24,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostValues = 8;
+constexpr size_t mostValues = 12;
 
 QString asIs(const std::string& text) {
   return QString::fromStdString(text);
@@ -183,11 +183,10 @@ void RunsPage::showRun(const KeptRun& kept) {
   chosen_[0] = kept.run;
   read_ = true;
   std::vector<Fact> facts;
-  for (const RunValue& value : kept.run.values) {
+  for (const RunValue& value : byImportance(kept.run)) {
     if (facts.size() == mostValues) break;
     const ParameterWords words = wordsOf(Parameter{value.name, value.value, value.low, value.high});
-    facts.push_back({words.name, QString("%1 %2").arg(words.value, words.unit).trimmed(),
-                     tr("%1 %2 with 95 % confidence").arg(words.interval, words.unit)});
+    facts.push_back({words.name, words.estimate, tr("%1 %2 with 95 % confidence").arg(words.interval, words.unit)});
   }
   values_->show(facts);
   QStringList findings;

@@ -4,10 +4,8 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <cmath>
 #include <iterator>
@@ -27,14 +25,13 @@
 #include "widgets/quantity_slider.h"
 #include "widgets/setting_words.h"
 #include "widgets/step_plot.h"
-#include "widgets/table.h"
+#include "widgets/step_table.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr int soon_ms = 25, tableHeight = 148, leastTable = 84, plotsWidth = 320, stepBoxWidth = 136,
-              wholeFrom_px = 1000;
+constexpr int soon_ms = 25, plotsWidth = 320, stepBoxWidth = 136;
 
 /// A round number above what is set, so that a slider has room both ways.
 QuantityRange roomFor(double value, double otherwise) {
@@ -56,13 +53,24 @@ void inShownPosition(StepCurve& curve, bool linear) {
     for (double& value : *values) value *= scale;
 }
 
-QString milliseconds(double time_s) {
-  return std::isfinite(time_s) ? numberText(1e3 * time_s) : TunePage::tr("not reached");
-}
-
-/// To a thousandth of a percent: below that is arithmetic.
-QString percent(double part) {
-  return numberText(1e-3 * std::round(1e5 * part), 2);
+/// What the friction in it rests on is said where it isn't measured with care.
+QString foretoldWords(FrictionSource friction) {
+  switch (friction) {
+    case FrictionSource::step:
+      return TunePage::tr(
+          "Foretold, friction as in the last step: rise %1 ms, overshoot %2 %, settling %3 ms, "
+          "peak %4 A");
+    case FrictionSource::wiring:
+      return TunePage::tr(
+          "Foretold, friction by the wiring check: rise %1 ms, overshoot %2 %, settling %3 ms, "
+          "peak %4 A");
+    case FrictionSource::none:
+      return TunePage::tr("Foretold, friction unknown: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A");
+    case FrictionSource::identification:
+    case FrictionSource::benchFile:
+      break;
+  }
+  return TunePage::tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A");
 }
 
 QString toneOf(Grade grade) {
@@ -107,6 +115,7 @@ TunePage::TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edit
   connect(&bench_, &BenchRuns::knownChanged, &soon_, qOverload<>(&QTimer::start));
   connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showEdits);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
+  connect(&bench_, &BenchRuns::measured, &soon_, qOverload<>(&QTimer::start));  // a step tells the friction
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showMotion);
   meetBoard();
   showSteps();
@@ -265,12 +274,7 @@ QWidget* TunePage::buildPlots() {
   auto* left = new QVBoxLayout;
   left->setSpacing(8);
   plot_ = new StepPlot(group);
-  table_ = readTable(group, "stepTable", tr("Measured steps"), QStringList(8, QString()));
-  table_->setToolTip(tr("What is foretold, and the measured steps, the newest on top; settling to 5 %"));
-  table_->setFont(typed(Type::caption));
-  table_->setMinimumHeight(leastTable);
-  table_->setMaximumHeight(tableHeight);
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table_ = new StepTable(group);
   left->addWidget(titled(group, {}, plot_), 1);
   left->addWidget(table_);
   auto* right = new QVBoxLayout;
@@ -291,11 +295,11 @@ QWidget* TunePage::buildPlots() {
 /// Where all of it has no room, the step stays, with what it came to.
 void TunePage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
-  const bool whole = width() >= wholeFrom_px;
+  const bool whole = !narrow();
   if (whole_ == whole) return;
   whole_ = whole;
   loops_->setVisible(whole);
-  for (const int column : {1, 2, 3}) table_->setColumnHidden(column, !whole);  // gains: they stand in the parameters
+  table_->setWhole(whole);  // the gains stand in the parameters
   arrangeChips(whole ? 4 : 2);
   // At once: a plot of the room that was left before would be seen for a moment.
   for (QLayout* one : {static_cast<QLayout*>(chips_), loops_->parentWidget()->layout(), layout()}) one->activate();
@@ -317,8 +321,6 @@ void TunePage::wordForAxis() {
   travel_->setRange(linear ? 0.01 : 0.1, linear ? 100.0 : 360.0);
   travel_->setValue(linear ? 1.0 : 5.0);
   travel_->setSuffix(linear ? tr(" mm") : tr("°"));
-  table_->setHorizontalHeaderLabels(
-      {tr("Step"), tr("Kp"), tr("Ki"), tr("g"), tr("Rise\nms"), tr("Over\n%"), tr("Settle\nms"), tr("Peak\nA")});
 }
 
 void TunePage::meetBoard() {
@@ -385,8 +387,10 @@ PositionStepOptions TunePage::positionStep() const {
 void TunePage::foretell() {
   preview_ = onBoard_ = {};
   if (connection_.connected() && bench_.gainsObstacle().isEmpty()) {
-    PreviewQuestion question{connection_.identity(), edits_.edited(), bench_.motor(),
-                             knownCoulomb_Nm(bench_.bench(), bench_.known()), step()};
+    const KnownMotor motor = bench_.motor();
+    const KnownFriction friction = knownFriction(bench_.bench(), bench_.known(), bench_.steps(), motor.values);
+    frictionSource_ = friction.source;
+    PreviewQuestion question{connection_.identity(), edits_.edited(), motor, friction.coulomb_Nm, step()};
     question.mode = position_ ? ServoMode::position : ServoMode::velocity;
     question.to_rad = positionStep().by_rad;
     preview_ = previewOf(question);
@@ -424,8 +428,8 @@ void TunePage::showChips() {
   } else if (gradeOfAlphaGT(now.alphaGT) != Grade::good) {
     read(tr("αgT is beyond its rule of thumb; g up to %1 rad/s keeps it").arg(numberText(now.ruleOfThumb_rad_per_s)));
   } else {
-    read(tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A")
-             .arg(milliseconds(now.figures.rise_s), percent(now.figures.overshoot),
+    read(foretoldWords(frictionSource_)
+             .arg(milliseconds(now.figures.rise_s), overshootPercent(now.figures.overshoot),
                   milliseconds(now.figures.settling_s), numberText(now.figures.peakCurrent_A)));
   }
 }
@@ -452,7 +456,6 @@ void TunePage::measure() {
 
 /// Of the loop that is shown.
 void TunePage::showSteps() {
-  const Look& look = Look::of(palette());
   std::vector<StepResult> steps;
   for (const StepResult& one : bench_.steps()) {
     if ((one.kind == RunKind::positionStep) != position_) continue;
@@ -460,39 +463,10 @@ void TunePage::showSteps() {
     if (position_) inShownPosition(steps.back().curve, connection_.linear());
   }
   plot_->show(steps);
-  const bool foretold = !preview_.step.time_s.empty();
-  table_->setRowCount(static_cast<int>(steps.size()) + (foretold ? 1 : 0));
-  const auto row = [this](int at, const QString& name, const ControllerSettings& with, const StepFigures& figures,
-                          const QColor& ink) {
-    fillRow(*table_, at,
-            {name, numberText(position_ ? with.position_kp_A_per_rad : with.velocity_kp_A_s_per_rad),
-             numberText(position_ ? with.position_ki_A_per_rad_s : with.velocity_ki_A_per_rad),
-             numberText(with.observer_cutoff_rad_per_s), milliseconds(figures.rise_s), percent(figures.overshoot),
-             milliseconds(figures.settling_s), numberText(figures.peakCurrent_A)});
-    table_->item(at, 0)->setForeground(ink);
-    table_->item(at, 0)->setFont(typed(Type::caption, true));
-  };
-  int at = 0;
-  if (foretold) row(at++, tr("Foretold"), edits_.edited(), preview_.figures, look.curve(0));
-  for (size_t k = steps.size(); k-- > 0;)  // the newest on top
-    row(at++, tr("Step %1").arg(k + 1), steps[k].settings, steps[k].figures,
-        k >= StepPlot::firstDrawn(steps.size()) ? look.curve(StepPlot::colourOf(k)) : look.ink);
+  const StepResult foretold{{}, preview_.figures, {}, edits_.edited()};
+  table_->show(steps, preview_.step.time_s.empty() ? nullptr : &foretold, position_, connection_.identity().axis);
   setAvailable(forget_, !bench_.steps().empty(), tr("Forget all measured steps, of both loops"),
                tr("No step was measured"));
-  const AxisUnits units = unitsOf(connection_.identity().axis);
-  const QString meanings[] = {
-      tr("Foretold, or which measured one"),
-      tr("Proportional gain (%1)").arg(position_ ? units.integral : units.gain),
-      tr("Integral gain (%1)")
-          .arg(position_ ? settingWords(&ControllerSettings::position_ki_A_per_rad_s, connection_.identity().axis).unit
-                         : units.integral),
-      tr("Cutoff of the disturbance observer (rad/s)"),
-      tr("Time from 10 to 90 % of the step"),
-      tr("Overshoot beyond the end, part of the step"),
-      tr("Time until it stays within 5 % of the step"),
-      tr("Highest current")};
-  for (int column = 0; column < table_->columnCount(); ++column)
-    if (QTableWidgetItem* head = table_->horizontalHeaderItem(column)) head->setToolTip(meanings[column]);
 }
 
 }  // namespace breakaway

@@ -12,7 +12,6 @@
 #include "session/tuning_preview.h"
 
 class QPushButton;
-class QTableWidget;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -27,6 +26,7 @@ class LocusPlot;
 class QuantitySlider;
 class SettingsEdits;
 class StepPlot;
+class StepTable;
 
 class TunePage : public Page {
   Q_OBJECT
@@ -74,6 +74,7 @@ class TunePage : public Page {
   BenchRuns& bench_;
   SettingsEdits& edits_;
   TuningPreview preview_, onBoard_;
+  FrictionSource frictionSource_ = FrictionSource::none;  ///< of what is foretold
   std::vector<Slider> sliders_;
   std::vector<QPushButton*> stiffness_;
   QDoubleSpinBox* height_ = nullptr;
@@ -97,7 +98,7 @@ class TunePage : public Page {
   StepPlot* plot_ = nullptr;
   BodePlot* bode_ = nullptr;
   LocusPlot* locus_ = nullptr;
-  QTableWidget* table_ = nullptr;
+  StepTable* table_ = nullptr;
   QLabel* source_ = nullptr;
   QGridLayout* chips_ = nullptr;
   QTimer soon_;

@@ -70,6 +70,17 @@ std::vector<Measured> resultsOf(Known fact, const Commission& known) {
     case Known::sensorZero:
       return {{words(QT_TRANSLATE_NOOP("IdentifyStep", "offset")), known.sensorZero_A, 1e3,
                words(QT_TRANSLATE_NOOP("IdentifyStep", "mA"))}};
+    case Known::wiring: {
+      std::vector<Measured> seen;
+      if (known.wiring && known.wiring->resistance_ohm.standardError > 0.0)
+        seen.push_back(resistance(known.wiring->resistance_ohm));
+      if (known.wiring && known.wiring->backEmf_V_s_per_rad.standardError > 0.0)
+        seen.push_back({words(QT_TRANSLATE_NOOP("IdentifyStep", "Ke")), known.wiring->backEmf_V_s_per_rad,
+                        linear ? 1.0 : 1e3,
+                        linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "V s/m"))
+                               : words(QT_TRANSLATE_NOOP("IdentifyStep", "mV s/rad"))});
+      return seen;
+    }
     case Known::windingTest:
       if (!known.tests) return {};
       return {resistance(known.tests->winding.line.resistance_ohm),

@@ -19,14 +19,14 @@ constexpr NameInWords kindWords[] = {{"commission", QT_TRANSLATE_NOOP("RunWords"
 
 }  // namespace
 
-QString runText(const char* text) {
+QString runWords(const char* text) {
   return QCoreApplication::translate("RunWords", text);
 }
 
 QString inWords(std::span<const NameInWords> list, const std::string& name) {
   const auto found =
       std::find_if(list.begin(), list.end(), [&name](const NameInWords& one) { return one.name == name; });
-  return found == list.end() ? QString::fromStdString(name) : runText(found->words);
+  return found == list.end() ? QString::fromStdString(name) : runWords(found->words);
 }
 
 QString kindInWords(const std::string& kind) {
@@ -39,7 +39,8 @@ QString timeInWords(const ProjectRun& run) {
 }
 
 QString titleOf(const ProjectRun& run) {
-  const QString title = runText(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
+  const QString title =
+      runWords(QT_TRANSLATE_NOOP("RunWords", "%1 of %2")).arg(kindInWords(run.kind), timeInWords(run));
   return run.name.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(run.name));
 }
 

@@ -17,7 +17,7 @@ struct NameInWords {
 };
 
 /// Words of the context "RunWords" in the language that is spoken.
-QString runText(const char* text);
+QString runWords(const char* text);
 /// What `name` is called by the list; one that isn't in it as it is.
 QString inWords(std::span<const NameInWords> list, const std::string& name);
 

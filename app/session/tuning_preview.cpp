@@ -12,6 +12,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t frequencies = 160, cutoffs = 80;
+constexpr size_t fewestSettled = 20;  // samples of a step
 constexpr double lowest_rad_per_s = 10.0;
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -48,6 +49,25 @@ StepCurve foretold(const ServoLoop& loop, const PreviewQuestion& question) {
   return curve;
 }
 
+/// What a velocity step took to keep its speed, less the viscous part: of its last half, as far as it had settled.
+std::optional<double> coulombIn(const StepResult& step, const LoopMotor& motor) {
+  const double to = step.options.to_rad_per_s;
+  if (step.kind != RunKind::step || to == 0.0) return {};
+  double current_A = 0.0, speed_rad_per_s = 0.0;
+  size_t count = 0;
+  for (size_t k = 0; k < step.curve.time_s.size(); ++k) {
+    const double velocity = step.curve.velocity_rad_per_s[k];
+    if (step.curve.time_s[k] < 0.5 * step.options.after_s) continue;
+    if (std::abs(velocity - to) > step.options.settleBand * std::abs(to)) continue;
+    current_A += step.curve.current_A[k];
+    speed_rad_per_s += velocity;
+    ++count;
+  }
+  if (count < fewestSettled) return {};
+  const double drive_Nm = motor.torqueConstant_Nm_per_A * current_A - motor.viscous_Nm_s_per_rad * speed_rad_per_s;
+  return std::max(0.0, std::copysign(1.0, to) * drive_Nm / static_cast<double>(count));
+}
+
 }  // namespace
 
 TuningPreview previewOf(const PreviewQuestion& question) {
@@ -76,10 +96,19 @@ TuningPreview previewOf(const PreviewQuestion& question) {
   return preview;
 }
 
-double knownCoulomb_Nm(const std::optional<Bench>& bench, const Commission& known) {
-  if (const auto average = known.coulombAverage_Nm()) return average->value;
-  if (known.knows(Known::motor)) return std::max(0.0, known.motor.coulomb_Nm.value);
-  return bench ? bench->motor.coulomb.value_or(0.0) : 0.0;
+KnownFriction knownFriction(const std::optional<Bench>& bench, const Commission& known,
+                            const std::vector<StepResult>& steps, const LoopMotor& motor) {
+  if (const auto average = known.coulombAverage_Nm()) return {average->value, FrictionSource::identification};
+  if (known.knows(Known::motor)) return {std::max(0.0, known.motor.coulomb_Nm.value), FrictionSource::identification};
+  for (size_t k = steps.size(); k-- > 0;) {
+    if (const auto seen_Nm = coulombIn(steps[k], motor)) return {*seen_Nm, FrictionSource::step};
+  }
+  if (bench && bench->motor.coulomb) return {*bench->motor.coulomb, FrictionSource::benchFile};
+  if (known.wiring) {
+    const auto &down = known.wiring->breakaway_A[0], &up = known.wiring->breakaway_A[1];
+    if (down && up) return {0.5 * motor.torqueConstant_Nm_per_A * (down->value + up->value), FrictionSource::wiring};
+  }
+  return {};
 }
 
 Grade gradeOfPhase(const LoopMargins& margins) {

@@ -6,6 +6,7 @@
 
 #include "experiment/velocity_step.h"
 #include "session/board_tuning.h"
+#include "session/run.h"
 #include "stability/loop_noise.h"
 #include "stability/margins.h"
 #include "stability/root_locus.h"
@@ -39,8 +40,18 @@ struct PreviewQuestion {
 /// Some milliseconds of computing; a pure function.
 TuningPreview previewOf(const PreviewQuestion& question);
 
-/// The friction that a step has to overcome, as far as it is known: by identification, else by the bench file.
-double knownCoulomb_Nm(const std::optional<Bench>& bench, const Commission& known);
+/// Where the friction that a step has to overcome is known from, the best first.
+enum class FrictionSource { identification, step, benchFile, wiring, none };
+struct KnownFriction {
+  double coulomb_Nm = 0.0;  ///< N on a linear axis
+  FrictionSource source = FrictionSource::none;
+};
+
+/// By sweep or identification; else by what the newest measured velocity step of `steps` took at its end; else by the
+/// bench file; else by the currents at which the wiring check saw the shaft break loose, mean of both ways. Currents
+/// are taken by the torque constant of `motor`, those of a step less its viscous part.
+KnownFriction knownFriction(const std::optional<Bench>& bench, const Commission& known,
+                            const std::vector<StepResult>& steps, const LoopMotor& motor);
 
 /// How a figure stands against what is asked of it.
 enum class Grade { good, warning, trouble };

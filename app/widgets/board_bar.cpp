@@ -24,7 +24,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int railWidth = 168, chipWidth = 232, badgeWidth = 100, progressWidth = 200, leftWidth = 150;
+constexpr int railWidth = 168, chipWidth = 232, badgeWidth = 100, progressWidth = 144, leftWidth = 150;
 
 /// A dot whose colour says how things stand.
 class Dot : public QWidget {

@@ -1,5 +1,7 @@
 #include "widgets/board_list.h"
 
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <algorithm>
 
 #include "firmware_link/presets.h"
@@ -15,18 +17,52 @@ namespace {
 constexpr int titleHeight = 32, firstTitleHeight = 24;
 constexpr int uriRole = Qt::UserRole, kindRole = Qt::UserRole + 1;
 constexpr const char *rigKind = "rig", *portKind = "port";
+constexpr int aboutGap = 12, besideText = 4;
+
+/// A board's name, and muted behind it what it is.
+class BoardRow : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    const QString about = index.data(BoardList::aboutRole).toString();
+    if (about.isEmpty()) return;
+    const QFontMetrics small(typed(Type::caption));
+    const int from = option.rect.left() + besideText + aboutGap +
+                     option.fontMetrics.horizontalAdvance(index.data(Qt::DisplayRole).toString());
+    const QRect room(from, option.rect.top(), option.rect.right() - besideText - from, option.rect.height());
+    const bool chosen = option.state.testFlag(QStyle::State_Selected);
+    painter->save();
+    painter->setFont(typed(Type::caption));
+    painter->setPen(chosen ? option.palette.color(QPalette::HighlightedText) : Look::of(option.palette).muted);
+    painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, small.elidedText(about, Qt::ElideRight, room.width()));
+    painter->restore();
+  }
+};
+
+/// In a word or two.
+QString aboutPreset(const QString& preset) {
+  if (preset == "servo") return BoardList::tr("to begin with");
+  if (preset == "geared") return BoardList::tr("14:1 gear");
+  if (preset == "linear") return BoardList::tr("axis between stops");
+  if (preset == "uneven") return BoardList::tr("friction in one swing");
+  if (preset == "published-0134") return BoardList::tr("little friction");
+  return {};
+}
 }  // namespace
 
 BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   setObjectName("boardList");
   setToolTip(tr("Boards that can be connected; a double click connects"));
   setAccessibleName(tr("Boards to connect to"));
+  setItemDelegate(new BoardRow(this));
   addTitle(tr("Simulated"));
   for (const std::string& name : presetNames()) {
     const QString preset = QString::fromStdString(name);
     const QString uri = "simulated:" + preset;
     auto* item = add(count(), preset, uri, presetWords(preset, uri));
     item->setData(kindRole, rigKind);
+    item->setData(aboutRole, aboutPreset(preset));
     if (preset == "servo") setCurrentItem(item);
   }
   addTitle(tr("On a serial port"));

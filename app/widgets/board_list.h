@@ -15,6 +15,9 @@ class BoardList : public QListWidget {
   Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
+  /// Of an item: what the board is, in a word or two, written muted beside its name.
+  static constexpr int aboutRole = Qt::UserRole + 2;
+
   explicit BoardList(QWidget* parent = nullptr);
   /// The chosen board's address; empty when none is chosen.
   QString address() const;

@@ -10,7 +10,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int chipHeight = 44, valueWidth = 84;
+constexpr int chipHeight = 44;
 }  // namespace
 
 FigureChip::FigureChip(const char* objectName, const QString& title, QWidget* parent) : QFrame(parent) {
@@ -32,7 +32,6 @@ FigureChip::FigureChip(const char* objectName, const QString& title, QWidget* pa
   value_ = new QLabel(this);
   value_->setAccessibleName(title);
   value_->setFont(typed(Type::section));
-  value_->setFixedWidth(valueWidth);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   grid->addWidget(value_, 1, 1);
 }

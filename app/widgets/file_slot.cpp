@@ -1,6 +1,7 @@
 #include "widgets/file_slot.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
@@ -21,15 +22,15 @@ FileSlot::FileSlot(const char* objectName, const QString& title, const QString& 
   auto* what = caption(this, title);
   what->setFixedWidth(titleWidth);
   name_ = new ElidedLabel("", this);
-  about_ = new ElidedLabel("", this);
+  about_ = new QLabel(this);  // short, and said whole: the name gives way
   about_->setFont(typed(Type::caption));
   about_->setProperty("tone", "muted");
   about_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   for (QWidget* part : std::initializer_list<QWidget*>{what, name_, about_})
     part->setAttribute(Qt::WA_TransparentForMouseEvents);
   row->addWidget(what);
-  row->addWidget(name_, 3);
-  row->addWidget(about_, 1);
+  row->addWidget(name_, 1);
+  row->addWidget(about_);
   show({}, {});
 }
 

@@ -3,6 +3,8 @@
 
 #include <QPushButton>
 
+class QLabel;
+
 namespace breakaway {
 
 class ElidedLabel;
@@ -19,7 +21,7 @@ class FileSlot : public QPushButton {
  private:
   QString title_;
   ElidedLabel* name_ = nullptr;
-  ElidedLabel* about_ = nullptr;
+  QLabel* about_ = nullptr;
 };
 
 }  // namespace breakaway

@@ -23,9 +23,10 @@ namespace breakaway {
 
 namespace {
 
-enum Cell { name, takenAs, unit, why, first };
+enum Cell { name, takenAs, unit, first, why };
 constexpr size_t mostRows = 500;
-constexpr int choiceHeight = 32, numberWidth = 92, shortestChoice = 8;
+constexpr int choiceHeight = 34, numberWidth = 92, shortestChoice = 8, widestColumn = 400, valuesWidth = 132;
+constexpr qsizetype valuesSeen = 3;  // of each column in the table; its tooltip has all
 
 /// What was found, in one line.
 QString remarksOf(const LogOpening& log) {
@@ -51,10 +52,11 @@ QStringList unitsOf(const QString& column) {
   return {"1", "%"};
 }
 
-QString numbersText(const std::vector<double>& values) {
+QStringList numbersText(const std::vector<double>& values, int digits) {
   QStringList words;
-  for (const double value : values) words << (std::isfinite(value) ? QString::number(value, 'g', 7) : QString("–"));
-  return words.join("   ");
+  for (const double value : values)
+    words << (std::isfinite(value) ? QString::number(value, 'g', digits) : QString("–"));
+  return words;
 }
 
 }  // namespace
@@ -65,11 +67,20 @@ LogPanel::LogPanel(LogOpening& log, QWidget* parent) : QWidget(parent), log_(log
   title_ = section(this, {});
   state_ = explanation(this, {}, "logState");
   table_ = readTable(this, "logColumns", tr("Columns of the log as they are understood"),
-                     {tr("Column"), tr("Taken as"), tr("Unit"), tr("Why"), tr("First values")},
+                     {tr("Column"), tr("Taken as"), tr("Unit"), tr("First values"), tr("Why")},
                      {name, takenAs, unit, why, first});
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  // All of it is seen without scrolling: the reasons take what is left, in as many lines as they need.
+  QHeaderView* header = table_->horizontalHeader();
+  header->setMaximumSectionSize(widestColumn);
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(first, QHeaderView::Fixed);
+  header->setSectionResizeMode(why, QHeaderView::Stretch);
+  table_->setColumnWidth(first, valuesWidth);
+  table_->verticalHeader()->setMinimumSectionSize(choiceHeight);
   table_->verticalHeader()->setDefaultSectionSize(choiceHeight);
+  connect(header, &QHeaderView::sectionResized, this, [this](int resized) {
+    if (resized == why) table_->resizeRowsToContents();
+  });
   column->addWidget(title_);
   column->addWidget(state_);
   column->addWidget(table_, 1);
@@ -170,6 +181,7 @@ void LogPanel::fill() {
   const auto rows = static_cast<int>(std::min(log_.columns().size(), mostRows));
   if (table_->rowCount() != rows) table_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) showRow(row, log_.columns()[static_cast<size_t>(row)]);
+  table_->resizeRowsToContents();
   for (const Number& one : numbers_) {
     const auto& value = log_.map().*one.number;
     one.edit->setText(value ? QLocale::c().toString(*value, 'g', 10) : QString());
@@ -199,8 +211,10 @@ void LogPanel::showRow(int row, const LogColumn& column) {
           {column.name,
            {},
            {},
-           column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why),
-           numbersText(column.first)});
+           numbersText(column.first, 4).mid(0, valuesSeen).join("  "),
+           column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why)});
+  table_->item(row, first)->setToolTip(numbersText(column.first, 7).join("  "));
+  for (const int cell : {int{name}, int{why}}) table_->item(row, cell)->setToolTip(table_->item(row, cell)->text());
   QComboBox* taken = choice(row, takenAs, "logTakenAs", {tr("–")});
   for (const Column& one : breakaway::columns()) {
     taken->addItem(wordsOf(one), one.name);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "friction/static_average.h"
 #include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
@@ -260,9 +261,32 @@ void MapPanel::layBeneath(const std::optional<FrictionMap>& earlier) {
   showMap();
 }
 
-/// The one number of the page: the mean over the whole turn and both ways.
+/// Of the whole map and both ways, as the averages beside it have it; none of a view without one number.
+std::optional<Estimate> MapPanel::average() const {
+  const AxisUnits units = unitsOf(known_.identity.axis);
+  const auto shown = [](const Estimate& one, double scale) {
+    return Estimate{scale * one.value, scale * one.standardError};
+  };
+  if (!known_.knows(Known::map)) return {};
+  switch (view_) {
+    case MapView::turns:
+    case MapView::staticMean:
+      return shown(staticAverage_Nm(known_.map), units.torqueScale);
+    case MapView::coulomb:
+      return shown(known_.coulombAverage_Nm().value_or(known_.map.coulombAverage_Nm), units.torqueScale);
+    case MapView::viscous:
+      return shown(known_.viscousAverage_Nm_s_per_rad().value_or(known_.map.viscousAverage_Nm_s_per_rad),
+                   units.viscousScale);
+    case MapView::total:
+    case MapView::positionTorque:
+      break;
+  }
+  return {};
+}
+
+/// The one number of the page: the mean over the whole turn and both ways; while the map grows, of what there is.
 void MapPanel::showFigure(const MapPicture& picture) {
-  double sum = 0.0, squares = 0.0;
+  double sum = 0.0, errors = 0.0;
   size_t count = 0;
   std::array<bool, 2> has{};  // ccw, cw
   for (const MapCurve& curve : picture.curves) {
@@ -271,7 +295,7 @@ void MapPanel::showFigure(const MapPicture& picture) {
     for (const MapPoint& point : curve.points) {
       if (point.outlier) continue;
       sum += point.value;
-      squares += point.standardError * point.standardError;
+      errors += point.standardError;  // bins share theirs
       ++count;
     }
   }
@@ -282,9 +306,12 @@ void MapPanel::showFigure(const MapPicture& picture) {
                         : polar_->setFigure({}, {}, {});
     return;
   }
-  const double mean = sum / static_cast<double>(count), error = std::sqrt(squares) / static_cast<double>(count);
-  polar_->setFigure(has[0] && has[1] ? tr("mean, both ways") : tr("mean"), numberText(mean),
-                    error > 0.0 ? intervalText(error) + " " + picture.unit : picture.unit);
+  const bool both = has[0] && has[1];
+  const auto whole = both ? average() : std::nullopt;
+  const auto points = static_cast<double>(count);
+  const Estimate mean = whole.value_or(Estimate{sum / points, errors / points});
+  polar_->setFigure(both ? tr("mean, both ways") : tr("mean"), numberText(mean.value),
+                    mean.standardError > 0.0 ? intervalText(mean.standardError) + " " + picture.unit : picture.unit);
 }
 
 void MapPanel::showLegend(const std::vector<MapCurve>& curves) {

@@ -50,6 +50,7 @@ class MapPanel : public QWidget {
   void showMap();
   void showBeside(const MapPicture& picture);
   void showLegend(const std::vector<MapCurve>& curves);
+  std::optional<Estimate> average() const;
   void showFigure(const MapPicture& picture);
   MapPlot& plot() const;
 

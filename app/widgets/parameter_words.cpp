@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "session/language.h"
 #include "widgets/number_text.h"
 
@@ -87,6 +88,8 @@ ParameterWords wordsOf(const Parameter& parameter) {
   if (parameter.low95 != parameter.high95)
     words.interval = QCoreApplication::translate("ParameterWords", "%1 to %2")
                          .arg(numberText(scale * parameter.low95), numberText(scale * parameter.high95));
+  const double half = 0.5 * std::abs(parameter.high95 - parameter.low95);
+  words.estimate = estimateText({parameter.value, half / normal95}, scale, words.unit).trimmed();
   return words;
 }
 

@@ -12,6 +12,7 @@ struct ParameterWords {
   QString value;     ///< "78.7"
   QString interval;  ///< "73.7 to 83.7"; empty where it was held
   QString unit;      ///< "N s/m", "°"
+  QString estimate;  ///< "78.7 ± 5.0 N s/m": value, half of its interval and unit
 
   /// All of it in one line.
   QString line() const;

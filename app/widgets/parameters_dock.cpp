@@ -82,7 +82,7 @@ QWidget* ParametersDock::buildTools() {
   auto* row = new QHBoxLayout;
   auto* profile = new QHBoxLayout;
   source_ = new ElidedLabel("parametersSource", group);
-  profile->addWidget(source_, 1);
+  source_->setFont(typed(Type::caption));
   undo_ = pushButton(group, "parametersUndo", tr("Undo"));
   redo_ = pushButton(group, "parametersRedo", tr("Redo"));
   revert_ = pushButton(group, "parametersRevert", tr("Revert"));
@@ -92,10 +92,12 @@ QWidget* ParametersDock::buildTools() {
   for (QPushButton* one : {undo_, redo_, revert_, revertAll_}) row->addWidget(one);
   row->addStretch(1);
   for (QPushButton* one : {open_, take_}) profile->addWidget(one);
+  profile->addStretch(1);
   for (QHBoxLayout* one : {row, profile}) {
     one->setSpacing(4);
     column->addLayout(one);
   }
+  column->addWidget(source_);
   connect(undo_, &QPushButton::clicked, &edits_, &SettingsEdits::undo);
   connect(redo_, &QPushButton::clicked, &edits_, &SettingsEdits::redo);
   connect(revert_, &QPushButton::clicked, this, [this] { edits_.revert(settingOf(table_->currentRow())); });
@@ -123,6 +125,11 @@ void ParametersDock::buildTable() {
     header->setSectionResizeMode(at, QHeaderView::Fixed);
     table_->setColumnWidth(at, columnWidths[at]);
   }
+  // A name that has no room in one line takes two.
+  table_->verticalHeader()->setMinimumSectionSize(table_->verticalHeader()->defaultSectionSize());
+  connect(header, &QHeaderView::sectionResized, this, [this](int resized) {
+    if (resized == nameColumn) table_->resizeRowsToContents();
+  });
   table_->horizontalHeaderItem(beforeColumn)
       ->setToolTip(tr("What the board had when it was connected; boards don't say what their defaults are"));
   connect(table_, &QTableWidget::cellChanged, this, &ParametersDock::takeCell);
@@ -177,6 +184,7 @@ void ParametersDock::fill() {
   for (int row = 0; row < table_->rowCount(); ++row) fillRow(row);
   source_->setText(edits_.profileSource());
   showColumns();
+  table_->resizeRowsToContents();
   showAvailable();
   explain();
 }

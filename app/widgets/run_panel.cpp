@@ -30,11 +30,10 @@ void RunPanel::show(const RunSnapshot& snapshot) {
   if (std::find(kinds_.begin(), kinds_.end(), snapshot.kind) == kinds_.end()) return;
   const Procedure::Status& status = snapshot.status;
   shown_ = {snapshot.kind, status, {}, snapshot.endedByBoard};
-  const QString activity = inLanguage(status.activity);
   const QString failure = inLanguage(status.failure);
   switch (status.state) {
     case Procedure::State::running:
-      activity_->setText(tr("%1 %: %2").arg(100.0 * status.progress, 0, 'f', 0).arg(activity));
+      activity_->clear();  // the bar says what is being done, and how far it is
       break;
     case Procedure::State::finished:
       activity_->setText(tr("Done"));

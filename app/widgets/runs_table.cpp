@@ -22,7 +22,7 @@ struct Heading {
 };
 
 constexpr Heading headings[] = {{QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},
-                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 92},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 108},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 96},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},
@@ -154,11 +154,12 @@ void RunsTable::show(const std::vector<ProjectRun>& runs, const QString& instead
   select(before);
 }
 
-/// A column in which nothing stands takes its heading's room alone; results take what is left.
+/// A column in which nothing stands takes its heading's room alone, or none; results take what is left.
 void RunsTable::shareOutWidth() {
   for (int column = 0; column < static_cast<int>(std::size(headings)); ++column) {
     if (column == resultColumn) continue;
     const bool has = model_->hasText(column);
+    if (!isWritten(column)) setColumnHidden(column, !has && model_->rowCount({}) > 0);  // nobody can write there
     if (columnHasText_[static_cast<size_t>(column)] == has) continue;
     columnHasText_[static_cast<size_t>(column)] = has;
     setColumnWidth(column, has ? headings[column].width_px : horizontalHeader()->sectionSizeHint(column));

@@ -65,6 +65,7 @@ QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { background: 
   border-color: @hairline; }
 QAbstractSpinBox[edited="true"] { background: @warningBack; border-color: @warning; }
 QAbstractSpinBox { padding-right: 2px; }
+QTableWidget QComboBox { margin: 2px; max-height: 26px; }
 QComboBox::drop-down { border: 0; width: 22px; subcontrol-origin: padding; subcontrol-position: center right; }
 QComboBox::down-arrow { image: url(:/icons/arrow-down.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: @surface; color: @ink; border: 1px solid @border;

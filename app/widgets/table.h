@@ -10,7 +10,9 @@ class QWidget;
 
 namespace breakaway {
 
-/// `words`: columns that hold words; the others hold numbers.
+/// Makes `table` one of them. `words`: columns that hold words; the others hold numbers.
+void dressAsReadTable(QTableWidget& table, const char* objectName, const QString& accessibleName,
+                      const QStringList& columns, const QList<int>& words = {0});
 QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
                         const QStringList& columns, const QList<int>& words = {0});
 /// Cells stand as the names of their columns do.

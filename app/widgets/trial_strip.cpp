@@ -61,8 +61,8 @@ void TrialStrip::show() {
       truth ? tr("Trial %1: %2").arg(trial_.seed()).arg(truthInWords(*truth))
             : tr("Trial %1 is sealed: the window has seen its bench and recordings alone.").arg(trial_.seed()));
   dressAs(this, "tone", !truth ? QString() : truth->answer.isRight ? QString("good") : QString("warning"));
-  setAvailable(unseal_, truth ? tr("Say it again") : tr("Say what the trial concealed, beside the answer"),
-               trial_.sealObstacle());
+  setAvailable(unseal_, tr("Say what the trial concealed, beside the answer"),
+               truth ? tr("It is unsealed: what was concealed stands here") : trial_.sealObstacle());
 }
 
 }  // namespace breakaway

@@ -145,8 +145,9 @@ VerdictCard::VerdictCard(Comparison& comparison, QWidget* parent) : QFrame(paren
   proof_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   proof_->setFont(typed(Type::caption));
   proof_->setProperty("tone", "muted");
-  words->addLayout(figures, 1);
+  words->addLayout(figures);
   words->addWidget(proof_);
+  words->addStretch(1);
   row->addLayout(words, 1);
   bars_ = new Bars(this);
   row->addWidget(bars_, 0, Qt::AlignTop);
@@ -160,6 +161,7 @@ void VerdictCard::show() {
   bars_->show(diagnosis ? &diagnosis->fit : nullptr);
   dressAs(this, "tone", diagnosis ? toneOf(*diagnosis) : QString());
   change_->setVisible(diagnosis.has_value());
+  figure_->setVisible(diagnosis || comparison_.diagnosing());
   if (!diagnosis) {
     title_->setText(comparison_.diagnosing() ? tr("Diagnosing: %1").arg(comparison_.activity())
                                              : tr("Not diagnosed yet"));

@@ -11,6 +11,7 @@
 #include "base/made.h"
 #include "base/sha256.h"
 #include "friction/map_export.h"
+#include "friction/static_average.h"
 
 namespace breakaway {
 
@@ -62,19 +63,12 @@ void takeValues(const AnyJson& json, std::vector<RunValue>& values) {
   }
 }
 
-/// Static friction on average over the map, which its file doesn't name. All bins share their errors, such as that of
-/// the current sensor's zero: averaging makes them no smaller.
+/// Static friction on average over the map, which its file doesn't name.
 void takeStaticAverage(const std::string& path, std::vector<RunValue>& values) {
   const OwnInputs ours;
   const auto map = readMap(path);
   if (!map || map->bins.empty()) return;
-  double sum = 0.0, errors = 0.0;
-  for (const MapBin& bin : map->bins) {
-    sum += bin.staticFriction_Nm();
-    for (const WayBin& way : bin.way) errors += 0.5 * way.static_Nm.standardError;
-  }
-  const auto count = static_cast<double>(map->bins.size());
-  const Estimate mean{sum / count, errors / count};
+  const Estimate mean = staticAverage_Nm(*map);
   values.push_back(
       {map->axis == Axis::linear ? "static_average_N" : "static_average_Nm", mean.value, mean.low95(), mean.high95()});
 }

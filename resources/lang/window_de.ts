@@ -458,6 +458,18 @@
         <source>µNm s/rad</source>
         <translation>µNm s/rad</translation>
     </message>
+    <message>
+        <source>Ke</source>
+        <translation>Ke</translation>
+    </message>
+    <message>
+        <source>V s/m</source>
+        <translation>V s/m</translation>
+    </message>
+    <message>
+        <source>mV s/rad</source>
+        <translation>mV s/rad</translation>
+    </message>
 </context>
 <context>
     <name>LiveChannel</name>
@@ -576,7 +588,7 @@
     </message>
     <message>
         <source>%1, turn %2</source>
-        <translation>%1, Umdrehung %2</translation>
+        <translation>%1, Umdr. %2</translation>
     </message>
     <message>
         <source>breakaway force (%1)</source>
@@ -895,6 +907,18 @@
     <message>
         <source>being recorded</source>
         <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 samples</source>
+        <translation>%1 s, %2 Messwerte</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>ended by: %1</source>
+        <translation>beendet: %1</translation>
     </message>
 </context>
 <context>
@@ -1262,6 +1286,26 @@
     <message>
         <source>Plug the board in; its port appears here by itself. A cable that only charges carries no data</source>
         <translation>Das Board anstecken; seine Schnittstelle erscheint hier von selbst. Ein reines Ladekabel überträgt keine Daten</translation>
+    </message>
+    <message>
+        <source>to begin with</source>
+        <translation>für den Anfang</translation>
+    </message>
+    <message>
+        <source>14:1 gear</source>
+        <translation>Getriebe 14:1</translation>
+    </message>
+    <message>
+        <source>axis between stops</source>
+        <translation>Achse mit Anschlägen</translation>
+    </message>
+    <message>
+        <source>friction in one swing</source>
+        <translation>Reibung schwankt</translation>
+    </message>
+    <message>
+        <source>little friction</source>
+        <translation>wenig Reibung</translation>
     </message>
 </context>
 <context>
@@ -1764,7 +1808,7 @@
     </message>
     <message>
         <source>link lost, trying again</source>
-        <translation>Verbindung verloren, neuer Versuch</translation>
+        <translation>weg, versucht es wieder</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -2280,6 +2324,10 @@
         <source>The sweep began with other settings; Run breakaway sweep begins anew with these</source>
         <translation>Die Fahrt begann mit anderen Einstellungen; Losbrechfahrt beginnt mit diesen neu</translation>
     </message>
+    <message>
+        <source>Mean of all bins, which share their errors; 95 % interval</source>
+        <translation>Mittel aller Winkel, die ihre Fehler gemeinsam haben; 95-%-Intervall</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::HandPage</name>
@@ -2720,6 +2768,10 @@
         <source>Each step says what it moves; nothing is written to the board.</source>
         <translation>Jeder Schritt sagt, was er bewegt; auf das Board wird nichts geschrieben.</translation>
     </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::KeptMapsCard</name>
@@ -2779,12 +2831,16 @@
 <context>
     <name>breakaway::LiveCursors</name>
     <message>
-        <source>Δt %1 s   A %2 s   B %3 s</source>
-        <translation>Δt %1 s   A %2 s   B %3 s</translation>
-    </message>
-    <message>
         <source>A %1   B %2   Δy %3</source>
         <translation>A %1   B %2   Δy %3</translation>
+    </message>
+    <message>
+        <source>Δt %1 s</source>
+        <translation>Δt %1 s</translation>
+    </message>
+    <message>
+        <source>%1   A %2 s   B %3 s</source>
+        <translation>%1   A %2 s   B %3 s</translation>
     </message>
 </context>
 <context>
@@ -4107,10 +4163,6 @@
         <translation>Tätigkeit</translation>
     </message>
     <message>
-        <source>%1 %: %2</source>
-        <translation>%1 %: %2</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
@@ -4409,6 +4461,101 @@ den seine Einstellungen ergeben</translation>
     </message>
 </context>
 <context>
+    <name>breakaway::StepTable</name>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Measured steps</source>
+        <translation>Gemessene Sprünge</translation>
+    </message>
+    <message>
+        <source>What is foretold, and the measured steps, the newest on top; settling to 5 %</source>
+        <translation>Was vorhergesagt ist, und die gemessenen Sprünge, der neueste oben; Einschwingen auf 5 %</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>g</translation>
+    </message>
+    <message>
+        <source>Rise
+ms</source>
+        <translation>Anst.
+ms</translation>
+    </message>
+    <message>
+        <source>Over
+%</source>
+        <translation>Über
+%</translation>
+    </message>
+    <message>
+        <source>Settle
+ms</source>
+        <translation>Eins.
+ms</translation>
+    </message>
+    <message>
+        <source>Peak
+A</source>
+        <translation>Max.
+A</translation>
+    </message>
+    <message>
+        <source>Foretold</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Sprung %1</translation>
+    </message>
+    <message>
+        <source>Foretold, or which measured one</source>
+        <translation>Vorausgesagt, oder welcher gemessene</translation>
+    </message>
+    <message>
+        <source>Proportional gain (%1)</source>
+        <translation>Proportionalverstärkung (%1)</translation>
+    </message>
+    <message>
+        <source>Integral gain (%1)</source>
+        <translation>Integralverstärkung (%1)</translation>
+    </message>
+    <message>
+        <source>Cutoff of the disturbance observer (rad/s)</source>
+        <translation>Grenzfrequenz des Störbeobachters (rad/s)</translation>
+    </message>
+    <message>
+        <source>Time from 10 to 90 % of the step</source>
+        <translation>Zeit von 10 bis 90 % des Sprungs</translation>
+    </message>
+    <message>
+        <source>Overshoot beyond the end, part of the step</source>
+        <translation>Überschwingen über das Ende, Anteil am Sprung</translation>
+    </message>
+    <message>
+        <source>Time until it stays within 5 % of the step</source>
+        <translation>Zeit, bis er innerhalb von 5 % des Sprungs bleibt</translation>
+    </message>
+    <message>
+        <source>Highest current</source>
+        <translation>Höchster Strom</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::ThemeButton</name>
     <message>
         <source>Light</source>
@@ -4576,20 +4723,16 @@ Klick: zeigt es im Log</translation>
         <translation>Versuch %1 ist versiegelt: das Fenster hat nur seine Prüfstandsdatei und Aufzeichnungen gesehen.</translation>
     </message>
     <message>
-        <source>Say it again</source>
-        <translation>Noch einmal sagen</translation>
-    </message>
-    <message>
         <source>Say what the trial concealed, beside the answer</source>
         <translation>Neben der Antwort sagen, was der Versuch verbarg</translation>
+    </message>
+    <message>
+        <source>It is unsealed: what was concealed stands here</source>
+        <translation>Es ist entsiegelt: hier steht, was verborgen war</translation>
     </message>
 </context>
 <context>
     <name>breakaway::TunePage</name>
-    <message>
-        <source>not reached</source>
-        <translation>nicht erreicht</translation>
-    </message>
     <message>
         <source>Tune</source>
         <translation>Einstellen</translation>
@@ -4667,56 +4810,8 @@ Klick: zeigt es im Log</translation>
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>Measured steps</source>
-        <translation>Gemessene Sprünge</translation>
-    </message>
-    <message>
-        <source>What is foretold, and the measured steps, the newest on top; settling to 5 %</source>
-        <translation>Was vorhergesagt ist, und die gemessenen Sprünge, der neueste oben; Einschwingen auf 5 %</translation>
-    </message>
-    <message>
         <source>Poles as g grows (1/s)</source>
         <translation>Pole mit wachsendem g (1/s)</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>Kp</source>
-        <translation>Kp</translation>
-    </message>
-    <message>
-        <source>Ki</source>
-        <translation>Ki</translation>
-    </message>
-    <message>
-        <source>g</source>
-        <translation>g</translation>
-    </message>
-    <message>
-        <source>Rise
-ms</source>
-        <translation>Anst.
-ms</translation>
-    </message>
-    <message>
-        <source>Over
-%</source>
-        <translation>Über
-%</translation>
-    </message>
-    <message>
-        <source>Settle
-ms</source>
-        <translation>Eins.
-ms</translation>
-    </message>
-    <message>
-        <source>Peak
-A</source>
-        <translation>Max.
-A</translation>
     </message>
     <message>
         <source>Apply 1 edit</source>
@@ -4823,14 +4918,6 @@ A</translation>
         <translation>Dreht bis zu 2 s: Stillstand, dann der Sprung, gemessen und wieder angehalten, mit dem, was das Board jetzt hat</translation>
     </message>
     <message>
-        <source>Foretold</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Step %1</source>
-        <translation>Sprung %1</translation>
-    </message>
-    <message>
         <source>No step was measured</source>
         <translation>Kein Sprung wurde gemessen</translation>
     </message>
@@ -4879,38 +4966,6 @@ A</translation>
         <translation>Dieses Board nimmt keine Lagebefehle an</translation>
     </message>
     <message>
-        <source>Foretold, or which measured one</source>
-        <translation>Vorausgesagt, oder welcher gemessene</translation>
-    </message>
-    <message>
-        <source>Proportional gain (%1)</source>
-        <translation>Proportionalverstärkung (%1)</translation>
-    </message>
-    <message>
-        <source>Integral gain (%1)</source>
-        <translation>Integralverstärkung (%1)</translation>
-    </message>
-    <message>
-        <source>Cutoff of the disturbance observer (rad/s)</source>
-        <translation>Grenzfrequenz des Störbeobachters (rad/s)</translation>
-    </message>
-    <message>
-        <source>Time from 10 to 90 % of the step</source>
-        <translation>Zeit von 10 bis 90 % des Sprungs</translation>
-    </message>
-    <message>
-        <source>Overshoot beyond the end, part of the step</source>
-        <translation>Überschwingen über das Ende, Anteil am Sprung</translation>
-    </message>
-    <message>
-        <source>Time until it stays within 5 % of the step</source>
-        <translation>Zeit, bis er innerhalb von 5 % des Sprungs bleibt</translation>
-    </message>
-    <message>
-        <source>Highest current</source>
-        <translation>Höchster Strom</translation>
-    </message>
-    <message>
         <source>From where it stands to a place so far from there</source>
         <translation>Von da, wo sie steht, zu einem Ort so weit davon</translation>
     </message>
@@ -4921,6 +4976,18 @@ A</translation>
     <message>
         <source>Forget all measured steps, of both loops</source>
         <translation>Alle gemessenen Sprünge vergessen, beider Kreise</translation>
+    </message>
+    <message>
+        <source>Foretold, friction as in the last step: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
+        <translation>Vorhergesagt, Reibung laut Sprung: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
+    </message>
+    <message>
+        <source>Foretold, friction by the wiring check: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
+        <translation>Vorhergesagt, Reibung laut Verdrahtung: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
+    </message>
+    <message>
+        <source>Foretold, friction unknown: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
+        <translation>Vorhergesagt, Reibung unbekannt: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
     </message>
 </context>
 <context>

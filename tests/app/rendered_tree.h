@@ -17,6 +17,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTableView>
 #include <QTest>
 
 namespace breakaway::test {
@@ -165,6 +166,30 @@ inline QStringList clipped(const QWidget& window) {
   }
   for (QCustomPlot* plot : window.findChildren<QCustomPlot*>()) {
     if (plot->isVisible() && plot->window() == &window) found << crampedIn(*plot);
+  }
+  return found;
+}
+
+/// One line for each visible line of text that ends in an ellipsis.
+inline QStringList shortened(const QWidget& window) {
+  QStringList found;
+  for (const QLabel* label : window.findChildren<QLabel*>()) {
+    if (!label->isVisible() || !label->inherits("breakaway::ElidedLabel")) continue;
+    if (label->fontMetrics().horizontalAdvance(label->text()) > label->contentsRect().width())
+      found << QString("%1: \"%2\"").arg(label->objectName(), label->text());
+  }
+  return found;
+}
+
+/// One line for each cell of a column of words that its row has no room for.
+inline QStringList shortenedIn(const QTableView& table, int column) {
+  QStringList found;
+  constexpr int margins_px = 8;
+  const int width = table.columnWidth(column) - margins_px;
+  for (int row = 0; row < table.model()->rowCount(); ++row) {
+    const QString text = table.model()->index(row, column).data().toString();
+    const QRect wanted = table.fontMetrics().boundingRect(0, 0, width, 0, Qt::TextWordWrap, text);
+    if (wanted.width() > width || wanted.height() > table.rowHeight(row)) found << text;
   }
   return found;
 }

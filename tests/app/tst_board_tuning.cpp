@@ -16,6 +16,8 @@ class TestBoardTuning : public QObject {
   void preview_ofThePositionLoopHasItsOwn();
   void preview_ofAnUnstableLoopHasNoStep();
   void preview_saysWhatIsMissing();
+  void friction_isTheBestKnown();
+  void frictionOfAStep_foretellsTheNextOne();
   void grades_followTheRules();
   void tunedSettings_keepTheirMarginsOnTheBoard();
   void knowingLess_tunesSlower();
@@ -56,6 +58,19 @@ Commission identification() {
   found.motor.viscous_Nm_s_per_rad = {2e-5, 1e-6};
   found.noiseRms_A = 0.017;
   return found;
+}
+
+/// To 20 rad/s, and held there by a current, or by as much of that speed as `part` says.
+StepResult measuredStep(double current_A, double part = 1.0) {
+  StepResult step;
+  for (int k = 0; k < 600; ++k) {
+    step.curve.time_s.push_back(1e-3 * k);
+    step.curve.velocity_rad_per_s.push_back(20.0 * part);
+    step.curve.reference_rad_per_s.push_back(20.0);
+    step.curve.current_A.push_back(k < 50 ? 1.0 : current_A);
+  }
+  step.options.to_rad_per_s = 20.0;
+  return step;
 }
 
 }  // namespace
@@ -115,6 +130,47 @@ void TestBoardTuning::preview_saysWhatIsMissing() {
   identity.loopRate_Hz = 0.0;
   const TuningPreview preview = previewOf({identity, namePlate(), knownMotor(namePlate(), bench(), {}), 0.0, {}});
   QVERIFY2(preview.trouble.contains("tick_s"), qPrintable(preview.trouble));
+}
+
+void TestBoardTuning::friction_isTheBestKnown() {
+  const LoopMotor motor = knownMotor(namePlate(), bench(), {}).values;
+  const auto known = [&motor](const std::optional<Bench>& file, const Commission& found,
+                              const std::vector<StepResult>& steps) {
+    return knownFriction(file, found, steps, motor);
+  };
+  Commission checked;
+  checked.wiring = WiringFit{.breakaway_A = {Estimate{0.4, 0.01}, Estimate{0.3, 0.01}}};
+  const StepResult step = measuredStep(0.25), early = measuredStep(0.25, 0.4);
+  Commission found = identification();
+  found.motor.coulomb_Nm = {0.0168, 1e-4};
+  QCOMPARE(known({}, {}, {}).source, FrictionSource::none);
+  QCOMPARE(known({}, {}, {}).coulomb_Nm, 0.0);
+  QCOMPARE(known({}, checked, {}).source, FrictionSource::wiring);
+  QCOMPARE(known({}, checked, {}).coulomb_Nm, 0.07 * 0.35);
+  QCOMPARE(known(bench(), checked, {}).coulomb_Nm, 0.017);
+  QCOMPARE(known(bench(), checked, {step}).source, FrictionSource::step);
+  QVERIFY(std::abs(known(bench(), checked, {step}).coulomb_Nm - (0.07 * 0.25 - 2e-5 * 20.0)) < 1e-9);
+  QCOMPARE(known(bench(), {}, {early}).source, FrictionSource::benchFile);  // it never came to its speed
+  QCOMPARE(known(bench(), found, {step}).coulomb_Nm, 0.0168);
+}
+
+/// A board that rubs, of which no friction is known: with what a velocity step showed, the position step is foretold.
+void TestBoardTuning::frictionOfAStep_foretellsTheNextOne() {
+  constexpr double rubs_Nm = 0.017;
+  const KnownMotor motor = knownMotor(namePlate(), bench(), {});
+  const auto tuned = tunedSettings(board(), namePlate(), motor, Stiffness::medium);
+  QVERIFY(tuned.ok());
+  const auto foretold = [&](double friction_Nm, ServoMode mode) {
+    return previewOf({board(), *tuned, motor, friction_Nm, {}, mode, 0.1});
+  };
+  const TuningPreview made = foretold(rubs_Nm, ServoMode::velocity);
+  const KnownFriction seen = knownFriction({}, {}, {{made.step, made.figures, {}, *tuned}}, motor.values);
+  QVERIFY2(std::abs(seen.coulomb_Nm / rubs_Nm - 1.0) < 0.05, qPrintable(QString::number(seen.coulomb_Nm)));
+  const double rise_s = foretold(rubs_Nm, ServoMode::position).figures.settling_s;
+  const double withIt_s = foretold(seen.coulomb_Nm, ServoMode::position).figures.settling_s;
+  const double without_s = foretold(0.0, ServoMode::position).figures.settling_s;
+  QVERIFY2(std::abs(withIt_s / rise_s - 1.0) < 0.1, qPrintable(QString("%1 for %2").arg(withIt_s).arg(rise_s)));
+  QVERIFY2(without_s < 0.9 * rise_s, qPrintable(QString("%1 for %2").arg(without_s).arg(rise_s)));
 }
 
 void TestBoardTuning::grades_followTheRules() {

@@ -204,7 +204,7 @@ void TestLanguageSwitch::openLog_isUnderstoodInTheOtherLanguage() {
   desk.session.comparison.open(QString::fromStdString(folder.write("log.csv", text)));
   const auto settled = [&log] { return log.isOpen() && !log.settling(); };
   QVERIFY(QTest::qWaitFor(settled, patience_ms));
-  const auto why = [&desk](int row) { return named<QTableWidget>(desk.window, "logColumns")->item(row, 3)->text(); };
+  const auto why = [&desk](int row) { return named<QTableWidget>(desk.window, "logColumns")->item(row, 4)->text(); };
   const auto state = [&desk] { return named<QLabel>(desk.window, "logState")->text(); };
   QCOMPARE(why(1), QString("by its name"));
   QCOMPARE(why(2), QString("a guess: so it agrees with the angle"));

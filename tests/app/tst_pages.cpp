@@ -13,7 +13,10 @@
 #include "firmware_link/presets.h"
 #include "pages/tune_page.h"
 #include "session/settings_edits.h"
+#include "widgets/board_list.h"
+#include "widgets/facts_table.h"
 #include "widgets/file_chooser.h"
+#include "widgets/live_plots.h"
 #include "widgets/step_plot.h"
 
 using namespace breakaway;
@@ -27,6 +30,8 @@ class TestPages : public QObject {
   void circleOfFriction_isAsLargeAsItsPlaceIsHigh();
   void positionLoop_hasItsOwnGainsAndStep();
   void emptyCards_sayWhatFillsThem();
+  void cursors_tellTheirDifferenceWhole();
+  void identify_keepsItsPlacesWhateverIsKnown();
   void questionForAFile_isAskedOnce();
   void presets_sayWhatTheyAre();
 };
@@ -83,6 +88,54 @@ void TestPages::emptyCards_sayWhatFillsThem() {
     QVERIFY(words->isVisible() && !words->text().isEmpty());
     QVERIFY2(words->heightForWidth(words->width()) <= words->height(), hint);
   }
+  // Before there is a finding nothing is said of unticking one.
+  desk.window.showPage("comparePage");
+  QTest::qWait(1);
+  QVERIFY(!named<QLabel>(desk.window, "tickedLine")->isVisible());
+  QVERIFY(!named<QLabel>(desk.window, "verdictFigure")->isVisible());
+  // What will be found stands there before it is known.
+  QCOMPARE(named<FactsTable>(desk.window, "motorFacts")->value("Resistance"), QString("–"));
+}
+
+void TestPages::cursors_tellTheirDifferenceWhole() {
+  Desk desk;
+  desk.window.resize(1280, 720);
+  QVERIFY(desk.connected());
+  desk.window.showPage("handPage");
+  desk.window.showLive(true);
+  QTest::qWait(300);
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
+  plots->setPaused(true);
+  plots->showCursors(true);
+  const auto* words = named<QLabel>(desk.window, "cursorDifference");
+  QTRY_VERIFY(words->isVisible() && words->text().startsWith("Δt"));
+  for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+    desk.window.resize(size);
+    QTest::qWait(30);
+    plots->showCursors(true);
+    const QStringList shorter = shortened(*words->parentWidget());
+    QVERIFY2(shorter.isEmpty(), qPrintable(shorter.join("; ")));
+    QVERIFY2(words->toolTip().contains("A ") && words->toolTip().contains("B "), qPrintable(words->toolTip()));
+  }
+}
+
+void TestPages::identify_keepsItsPlacesWhateverIsKnown() {
+  Desk desk;
+  desk.window.resize(1280, 720);
+  desk.window.showPage("identifyPage");
+  QTest::qWait(20);
+  const auto places = [&desk] {
+    return std::pair(placeIn(named<QWidget>(desk.window, "motorTestsPlot"), desk.window),
+                     placeIn(named<QWidget>(desk.window, "identifyFacts"), desk.window));
+  };
+  const auto before = places();
+  named<FactsTable>(desk.window, "wiringFacts")
+      ->show(std::vector<Fact>(5, {"Current sensor",
+                                   "rises with the voltage, by 1 A for 1.2 V; its zero was off by "
+                                   "51 mA, its noise is 17 mA rms",
+                                   {}}));
+  QTest::qWait(20);
+  QCOMPARE(places(), before);
 }
 
 void TestPages::positionLoop_hasItsOwnGainsAndStep() {
@@ -121,6 +174,7 @@ void TestPages::presets_sayWhatTheyAre() {
     QCOMPARE(rows.size(), 1);
     const QString words = rows.front()->toolTip();
     QVERIFY2(words.contains(' ') && !words.startsWith("simulated:"), qPrintable(words));
+    QVERIFY2(!rows.front()->data(BoardList::aboutRole).toString().isEmpty(), name.c_str());  // and beside its name
   }
 }
 

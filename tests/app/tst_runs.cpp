@@ -11,11 +11,15 @@
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "friction/map_export.h"
+#include "friction/static_average.h"
 #include "recording/csv.h"
+#include "session/language.h"
 #include "support/noisy_map.h"
 #include "support/temporary.h"
 #include "widgets/facts_table.h"
+#include "widgets/number_text.h"
 #include "widgets/polar_plot.h"
+#include "widgets/run_words.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -33,6 +37,10 @@ class TestRuns : public QObject {
   void map_isOpenedOnFriction();
   void earlierMap_liesBeneathWithTheRingOfDifferences();
   void visiblePartOfARecording_isKeptAsARunOfItsOwn();
+  void oneQuantity_hasOneDoubt();
+  void values_standByImportanceWithTheirDoubt();
+  void motors_haveAColumnWhereOneIsNamed();
+  void recordingsEnd_isToldInTheLanguage();
   void page_fitsAndNothingIsCutOff();
 };
 
@@ -294,6 +302,87 @@ void TestRuns::visiblePartOfARecording_isKeptAsARunOfItsOwn() {
   VERIFY_OK(part);
   QCOMPARE(part->rows(), size_t{101});
   QCOMPARE(part->channel("angle_rad")[0], std::sin(1.0));
+}
+
+/// The figure in the circle and the averages beside it.
+void TestRuns::oneQuantity_hasOneDoubt() {
+  Archive archive;
+  archive.desk.session.runs.readMap(archive.later.id, &archive.desk.window,
+                                    [&](const KeptMap& map) { archive.desk.session.maps.open(map); });
+  QTRY_VERIFY(archive.desk.session.maps.opened().has_value());
+  archive.desk.window.showPage("frictionPage");
+  auto* averages = named<FactsTable>(archive.desk.window, "frictionAverages");
+  const auto* canvas = named<QCustomPlot>(archive.desk.window, "polarPlotCanvas");
+  const auto figure = [canvas] {
+    QStringList words;
+    for (int k = 0; k < canvas->itemCount(); ++k)
+      if (const auto* text = qobject_cast<const QCPItemText*>(canvas->item(k))) words << text->text();
+    return words.join(" | ");
+  };
+  press(archive.desk.window, "viewCoulomb");
+  QVERIFY2(averages->value("Coulomb").contains("± 0.49 mNm"), qPrintable(averages->value("Coulomb")));
+  QVERIFY2(figure().contains("20.0 | ± 0.49 mNm"), qPrintable(figure()));
+  press(archive.desk.window, "viewStatic");
+  // A turn's bins share their errors: the mean of them is no better known than each.
+  const QString one = averages->value("Static, ccw");
+  QVERIFY2(one.contains("±") && !one.contains("± 0.0 "), qPrintable(one));
+  const FrictionMap map = noisyMap(0.025, 7);
+  QVERIFY2(figure().contains(intervalText(1e3 * staticAverage_Nm(map).standardError) + " mNm"), qPrintable(figure()));
+  QVERIFY(staticAverage_Nm(map).standardError > 0.9 * map.bins[0].way[0].static_Nm.standardError);
+}
+
+void TestRuns::values_standByImportanceWithTheirDoubt() {
+  Archive archive;
+  QTRY_COMPARE(archive.rows(), 3);
+  archive.table()->selectRow(0);
+  const auto* values = named<FactsTable>(archive.desk.window, "runValues");
+  QTRY_VERIFY(!values->value("Static average").isEmpty());
+  QVERIFY2(values->value("Coulomb average").contains("20.0 ± 0.5 mNm"), qPrintable(values->value("Coulomb average")));
+  QCOMPARE(values->findChildren<QLabel*>().front()->text(), QString("Static average"));
+  ProjectRun run;
+  for (const char* name : {"back_emf_constant_V_s_per_rad", "coulomb_average_Nm", "inertia_kg_m2", "static_average_Nm",
+                           "torque_constant_Nm_per_A"})
+    run.values.push_back({name, 1.0, 0.9, 1.1});
+  const std::vector<RunValue> sorted = byImportance(run);
+  QCOMPARE(sorted.front().name, std::string("static_average_Nm"));
+  QCOMPARE(sorted[2].name, std::string("torque_constant_Nm_per_A"));
+  QCOMPARE(sorted.back().name, std::string("back_emf_constant_V_s_per_rad"));
+}
+
+void TestRuns::motors_haveAColumnWhereOneIsNamed() {
+  Archive archive;
+  QTRY_COMPARE(archive.rows(), 3);
+  QVERIFY(!archive.table()->isColumnHidden(motorColumn));
+  Desk desk;
+  const QTemporaryDir place;
+  auto project = Project::open(place.filePath("p").toStdString(), Project::Missing::isMade);
+  VERIFY_OK(project);
+  NewRun run = Archive::mapRun(1.0, "2026-03-02T09:14:07Z");
+  run.motor.clear();
+  Archive::put(*project, run);
+  desk.session.project.open(place.filePath("p"));
+  desk.window.showPage("runsPage");
+  const auto* table = named<QTableView>(desk.window, "runsTable");
+  QTRY_COMPARE(table->model()->rowCount(), 1);
+  QVERIFY(table->isColumnHidden(motorColumn));
+  QVERIFY(!table->isColumnHidden(nameColumn) && !table->isColumnHidden(remarkColumn));  // to write in
+}
+
+void TestRuns::recordingsEnd_isToldInTheLanguage() {
+  ProjectRun run;
+  run.kind = "recording";
+  run.verdict = "3.9 s, 19280 samples, 12 lost; ended by: the link was lost";
+  QCOMPARE(resultInWords(run), QString::fromStdString(run.verdict));
+  speak(Language::german);
+  const QString german = resultInWords(run);
+  run.verdict = "61.0 s, 305000 samples";
+  const QString whole = resultInWords(run);
+  run.verdict = "nothing was recorded";
+  const QString other = resultInWords(run);
+  speak(Language::english);
+  QVERIFY2(german.startsWith("3.9 s, 19280 Messwerte, 12 verloren; beendet: "), qPrintable(german));
+  QCOMPARE(whole, QString("61.0 s, 305000 Messwerte"));
+  QCOMPARE(other, QString("nothing was recorded"));
 }
 
 void TestRuns::page_fitsAndNothingIsCutOff() {

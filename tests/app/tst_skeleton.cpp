@@ -10,6 +10,7 @@
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "app/visible_texts.h"
+#include "pages/tune_page.h"
 #include "session/language.h"
 #include "session/settings_edits.h"
 #include "support/temporary.h"
@@ -279,8 +280,30 @@ void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen() {
   QVERIFY(!loops->isVisible());
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+  // With edits and a profile open, whose names and values take the most room.
+  const TemporaryFolder folder;
+  const QString profile = QString::fromStdString(folder.path("bench 3.profile.json"));
+  desk.answers.byTitle["Save the profile"] = profile;
+  press(desk.window, "saveProfileButton");
+  QTRY_VERIFY(QFile::exists(profile));
+  ControllerSettings other = desk.session.edits.accepted();
+  desk.session.edits.openProfile(profile);
+  other.velocity_ki_A_per_rad = 0.5;
+  other.observer_cutoff_rad_per_s *= 0.5;
+  desk.session.edits.edit(other);
+  QTRY_VERIFY(named<TunePage>(desk.window, "tunePage")->preview().figures.rise_s > 0.0);
+  desk.window.resize(1280, 720);
+  QTest::qWait(50);
+  const QStringList shorter =
+      shortened(*named<QWidget>(desk.window, "tunePage")) + shortened(*named<QWidget>(desk.window, "parametersDock"));
+  QVERIFY2(shorter.isEmpty(), qPrintable(shorter.join("; ")));
+  constexpr int names = 1;
+  const QStringList cells = shortenedIn(*named<QTableWidget>(desk.window, "parametersTable"), names);
+  QVERIFY2(cells.isEmpty(), qPrintable(cells.join("; ")));
   desk.window.showParameters(false);
   QTRY_VERIFY(loops->isVisible());
+  const QStringList alone = shortened(*named<QWidget>(desk.window, "tunePage"));
+  QVERIFY2(alone.isEmpty(), qPrintable(alone.join("; ")));
 }
 
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
@@ -308,6 +331,12 @@ void TestSkeleton::tableOfALog_leavesStopInPlace() {
   QVERIFY2(!named<QLabel>(desk.window, "compareReading")->text().isEmpty(), "what is next isn't said");
   for (const char* whole : {"stopButton", "logOpenButton", "logSplit", "logPart", "logGear"})
     QVERIFY2(desk.window.rect().contains(placeIn(named<QWidget>(desk.window, whole), desk.window)), whole);
+  // What it is taken as, its values and the reason are seen without scrolling, and the boxes don't touch.
+  const auto* table = named<QTableWidget>(desk.window, "logColumns");
+  QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+  constexpr int values = 3, reasons = 4;
+  const QStringList cut = shortenedIn(*table, reasons) + shortenedIn(*table, values);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 }
 
 void TestSkeleton::focusable_hasNameAndTooltip() {
