@@ -50,10 +50,13 @@ IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* pa
   columnOf(frame)->addWidget(tests_);
   picture()->addWidget(frame, 3);
   picture()->addWidget(buildFacts(), 4);
-  auto* state = card(this);
-  columnOf(state)->setContentsMargins(12, 4, 12, 4);
-  columnOf(state)->addWidget(run_);
-  picture()->addWidget(state);
+  outcome_ = card(this);
+  columnOf(outcome_)->setContentsMargins(12, 4, 12, 4);
+  columnOf(outcome_)->addWidget(run_);
+  QSizePolicy room = outcome_->sizePolicy();
+  room.setRetainSizeWhenHidden(true);  // what is above it stays where it is
+  outcome_->setSizePolicy(room);
+  picture()->addWidget(outcome_);
   connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
   connect(wiring_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::wiring); });
   connect(&connection_, &Connection::changed, this, &IdentifyPage::showSteps);
@@ -155,6 +158,7 @@ void IdentifyPage::showSteps() {
     if (steps[k].state == IdentifyStep::State::passed) ++passed;
   }
   run_->show(connection_.run());
+  outcome_->setVisible(run_->saysSomething());
   showFacts();
   showButtons();
   StepState state = stateOf(connection_, {RunKind::wiring, RunKind::identification});

@@ -44,6 +44,7 @@ class IdentifyPage : public Page {
   QPushButton* identify_ = nullptr;
   QPushButton* wiring_ = nullptr;
   RunPanel* run_ = nullptr;
+  QFrame* outcome_ = nullptr;  ///< around it
   MotorTestsPlot* tests_ = nullptr;
   FactsTable* motor_ = nullptr;
   FactsTable* wires_ = nullptr;

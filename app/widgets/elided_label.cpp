@@ -24,11 +24,21 @@ QSize ElidedLabel::minimumSizeHint() const {
   return sizeHint();
 }
 
+void ElidedLabel::setShorter(const QString& text) {
+  shorter_ = text;
+  update();
+}
+
+QString ElidedLabel::shown() const {
+  const bool fits = fontMetrics().horizontalAdvance(text()) <= contentsRect().width();
+  return fits || shorter_.isEmpty() ? text() : shorter_;
+}
+
 void ElidedLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, foregroundRole()));
   painter.drawText(contentsRect(), static_cast<int>(alignment()) | Qt::TextSingleLine,
-                   fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+                   fontMetrics().elidedText(shown(), Qt::ElideRight, contentsRect().width()));
 }
 
 bool ElidedLabel::event(QEvent* event) {

@@ -3,10 +3,10 @@
 #include <qcustomplot.h>
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QMouseEvent>
 
 #include "session/live_history.h"
+#include "widgets/elided_label.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -22,7 +22,7 @@ QCPRange viewOf(const QCustomPlot& plot) {
 
 }  // namespace
 
-LiveCursors::LiveCursors(QCustomPlot& plot, const LiveHistory& history, QLabel& difference)
+LiveCursors::LiveCursors(QCustomPlot& plot, const LiveHistory& history, ElidedLabel& difference)
     : QObject(&plot), plot_(plot), history_(history), difference_(difference) {
   plot_.installEventFilter(this);
 }
@@ -72,12 +72,9 @@ void LiveCursors::write() {
   const auto b = history_.nearest(marks_[1].time_s());
   difference_.setVisible(shown_ && a && b);
   if (!shown_ || !a || !b) return;
-  // Where not all of it has room, the difference alone is said, and whole; the tooltip has both moments.
   const QString apart = tr("Δt %1 s").arg(b->time_s - a->time_s, 0, 'f', 4);
-  const QString all = tr("%1   A %2 s   B %3 s").arg(apart).arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4);
-  const bool fits = difference_.fontMetrics().horizontalAdvance(all) <= difference_.contentsRect().width();
-  difference_.setText(fits ? all : apart);
-  difference_.setToolTip(all);
+  difference_.setText(tr("%1   A %2 s   B %3 s").arg(apart).arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4));
+  difference_.setShorter(apart);
   for (size_t k = 0; k < std::min(readouts_.size(), channels_.size()); ++k) {
     const auto text = [&](double value) { return QString::number(value, 'f', channels_[k].decimals); };
     const double atA = channels_[k].of(*a), atB = channels_[k].of(*b);

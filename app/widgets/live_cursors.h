@@ -12,10 +12,10 @@
 class QCPAxisRect;
 class QCPTextElement;
 class QCustomPlot;
-class QLabel;
 
 namespace breakaway {
 
+class ElidedLabel;
 class LiveHistory;
 struct Look;
 
@@ -24,7 +24,7 @@ class LiveCursors : public QObject {
 
  public:
   /// Times and their difference go to `difference`.
-  LiveCursors(QCustomPlot& plot, const LiveHistory& history, QLabel& difference);
+  LiveCursors(QCustomPlot& plot, const LiveHistory& history, ElidedLabel& difference);
 
   /// One plot over time, with the text that holds its values.
   void addTo(QCPAxisRect& rect, QCPTextElement& readout);
@@ -49,7 +49,7 @@ class LiveCursors : public QObject {
 
   QCustomPlot& plot_;
   const LiveHistory& history_;
-  QLabel& difference_;
+  ElidedLabel& difference_;
   std::vector<QCPTextElement*> readouts_;
   std::vector<LiveChannel> channels_;
   std::array<TimeMark, 2> marks_;

@@ -6,12 +6,12 @@
 #include "widgets/file_chooser.h"
 
 class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace breakaway {
 
 class Connection;
+class ElidedLabel;
 class LiveSamples;
 
 class LiveToolbar : public QWidget {
@@ -29,7 +29,7 @@ class LiveToolbar : public QWidget {
   QToolButton* largeButton() const { return large_; }
   QToolButton* recordButton() const { return record_; }
   /// The times of the cursors, at the right end.
-  QLabel& difference() const { return *difference_; }
+  ElidedLabel& difference() const { return *difference_; }
   double span_s() const;
   /// What can be done now.
   void showAvailable();
@@ -52,7 +52,7 @@ class LiveToolbar : public QWidget {
   QToolButton* save_ = nullptr;
   QToolButton* export_ = nullptr;
   QComboBox* span_ = nullptr;
-  QLabel* difference_ = nullptr;
+  ElidedLabel* difference_ = nullptr;
 };
 
 }  // namespace breakaway

@@ -310,8 +310,11 @@ void MapPanel::showFigure(const MapPicture& picture) {
   const auto whole = both ? average() : std::nullopt;
   const auto points = static_cast<double>(count);
   const Estimate mean = whole.value_or(Estimate{sum / points, errors / points});
-  polar_->setFigure(both ? tr("mean, both ways") : tr("mean"), numberText(mean.value),
-                    mean.standardError > 0.0 ? intervalText(mean.standardError) + " " + picture.unit : picture.unit);
+  const QString name = both ? tr("mean, both ways") : tr("mean");
+  if (!(mean.standardError > 0.0)) return polar_->setFigure(name, numberText(mean.value), picture.unit);
+  // To the same place as in the averages.
+  const QString text = estimateText(mean, 1.0, picture.unit);
+  polar_->setFigure(name, text.section(' ', 0, 0), text.section(' ', 1));
 }
 
 void MapPanel::showLegend(const std::vector<MapCurve>& curves) {

@@ -21,6 +21,10 @@ RunPanel::RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* 
   columnIn(this)->addWidget(activity_);
 }
 
+bool RunPanel::saysSomething() const {
+  return !activity_->text().isEmpty();
+}
+
 void RunPanel::show(const RunSnapshot& snapshot) {
   if (snapshot.kind == RunKind::none) {  // another board, or none: what the last one did is over
     shown_ = {};

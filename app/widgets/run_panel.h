@@ -20,6 +20,8 @@ class RunPanel : public QWidget {
   RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* parent = nullptr);
 
   void show(const RunSnapshot& snapshot);
+  /// Of how a run ended; while one runs the bar says what it does.
+  bool saysSomething() const;
   using QWidget::show;
 
   /// How far what is shown has come.

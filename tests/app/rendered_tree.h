@@ -20,6 +20,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include "widgets/elided_label.h"
+
 namespace breakaway::test {
 
 inline bool isControl(const QWidget* widget) {
@@ -173,9 +175,9 @@ inline QStringList clipped(const QWidget& window) {
 /// One line for each visible line of text that ends in an ellipsis.
 inline QStringList shortened(const QWidget& window) {
   QStringList found;
-  for (const QLabel* label : window.findChildren<QLabel*>()) {
-    if (!label->isVisible() || !label->inherits("breakaway::ElidedLabel")) continue;
-    if (label->fontMetrics().horizontalAdvance(label->text()) > label->contentsRect().width())
+  for (const ElidedLabel* label : window.findChildren<ElidedLabel*>()) {
+    if (!label->isVisible()) continue;
+    if (label->fontMetrics().horizontalAdvance(label->shown()) > label->contentsRect().width())
       found << QString("%1: \"%2\"").arg(label->objectName(), label->text());
   }
   return found;

@@ -139,7 +139,7 @@ void TestBoardTuning::friction_isTheBestKnown() {
     return knownFriction(file, found, steps, motor);
   };
   Commission checked;
-  checked.wiring = WiringFit{.breakaway_A = {Estimate{0.4, 0.01}, Estimate{0.3, 0.01}}};
+  checked.wiring.emplace().breakaway_A = {Estimate{0.4, 0.01}, Estimate{0.3, 0.01}};
   const StepResult step = measuredStep(0.25), early = measuredStep(0.25, 0.4);
   Commission found = identification();
   found.motor.coulomb_Nm = {0.0168, 1e-4};

@@ -263,6 +263,11 @@ void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen() {
   const Spoken language(german ? Language::german : Language::english);
   Desk desk;
   QVERIFY(desk.connected());
+  const TemporaryFolder folder;
+  const QString profile = QString::fromStdString(folder.path("bench 3.profile.json"));
+  desk.answers.byTitle[german ? "Das Profil speichern" : "Save the profile"] = profile;
+  press(desk.window, "saveProfileButton");
+  QTRY_VERIFY(QFile::exists(profile));
   desk.window.resize(1280, 720);
   desk.window.showPage("tunePage");
   const auto* loops = named<QWidget>(desk.window, "bodePlot");
@@ -281,11 +286,6 @@ void TestSkeleton::parameters_leaveTuneItsStepOnASmallScreen() {
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
   // With edits and a profile open, whose names and values take the most room.
-  const TemporaryFolder folder;
-  const QString profile = QString::fromStdString(folder.path("bench 3.profile.json"));
-  desk.answers.byTitle["Save the profile"] = profile;
-  press(desk.window, "saveProfileButton");
-  QTRY_VERIFY(QFile::exists(profile));
   ControllerSettings other = desk.session.edits.accepted();
   desk.session.edits.openProfile(profile);
   other.velocity_ki_A_per_rad = 0.5;
