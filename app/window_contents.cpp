@@ -199,13 +199,15 @@ void WindowContents::goTo(int row) {
 }
 
 void WindowContents::showStates() {
-  bool named = false;  // of the steps that nothing is in the way of, the first one is the next
+  // Of the steps that nothing is in the way of, the first one is the next, unless one is begun before it.
+  bool named = false;
   for (size_t k = 0; k < pages_.size(); ++k) {
     StepState state = pages_[k]->state();
     if (!named && !pages_[k]->isTool() && state.mark == StepMark::open && state.words.isEmpty()) {
       state.words = tr("next");
       named = true;
     }
+    named = named || state.mark == StepMark::paused || state.mark == StepMark::running;
     rail_->setState(static_cast<int>(k), state);
   }
 }

@@ -30,6 +30,10 @@ QString shortAddress(const QString& uri) {
   return uri.contains('/') ? uri.section(':', 0, 0) + ":" + QFileInfo(uri).fileName() : uri;
 }
 
+QString linkTo(const char* page, const QString& title) {
+  return QString("<a href='%1'>%2</a>").arg(page, title);
+}
+
 /// What this board can't do, each with its reason; empty when it can do all.
 QString cannotWords(const Identity& board) {
   const std::pair<Task, QString> tasks[] = {{Task::homing, ConnectPage::tr("Homing")},
@@ -90,6 +94,8 @@ QWidget* ConnectPage::buildBoards() {
   state_ = explanation(side, {}, "connectionState");
   state_->setFixedHeight(stateLines * state_->fontMetrics().lineSpacing());
   state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  state_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  connect(state_, &QLabel::linkActivated, this, &ConnectPage::pageAsked);
   column->addWidget(state_);
   connect(connect_, &QPushButton::clicked, this, &ConnectPage::connectChosen);
   connect(open, &QPushButton::clicked, this, &ConnectPage::openRig);
@@ -192,7 +198,8 @@ void ConnectPage::showState() {
       state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection_.uri())));
       break;
     case ConnectionState::connected:
-      state_->setText(tr("Connected. Next: Identify; or Friction, which makes by itself what it needs."));
+      state_->setText(tr("Connected. Next: %1; or %2, which makes by itself what it needs.")
+                          .arg(linkTo("identifyPage", tr("Identify")), linkTo("frictionPage", tr("Friction"))));
       break;
     case ConnectionState::failed:
       state_->setText(tr("Not connected: %1").arg(inLanguage(connection_.trouble())));

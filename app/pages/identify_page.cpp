@@ -162,7 +162,8 @@ void IdentifyPage::showSteps() {
   showFacts();
   showButtons();
   StepState state = stateOf(connection_, {RunKind::wiring, RunKind::identification});
-  if (state.mark == StepMark::open && passed == steps.size()) state.mark = StepMark::done;
+  if (state.mark == StepMark::open && passed > 0)
+    state.mark = passed == steps.size() ? StepMark::done : StepMark::paused;
   if (state.words.isEmpty() && passed > 0) state.words = tr("%1 of %2 passed").arg(passed).arg(steps.size());
   setState(state);
 }

@@ -1,5 +1,6 @@
 #include "session/comparison.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
@@ -119,9 +120,21 @@ void Comparison::read(const QString& path, std::optional<Recording> Comparison::
       }
       take(into, *recording);
       messages_.say(tr("%1: %2 rows").arg(QFileInfo(path).fileName()).arg(recording->rows()));
+      takeBenchBeside(path);
       forgetDiagnosis();
     };
   });
+}
+
+/// Where no bench is open, and only one can be meant.
+void Comparison::takeBenchBeside(const QString& path) {
+  const QDir folder = QFileInfo(path).dir();
+  const QStringList names = folder.entryList({"*.bench.json"}, QDir::Files);
+  if (bench_ || names.size() != 1) return;
+  const auto bench = readBench(folder.filePath(names.front()).toStdString());
+  if (!bench) return;
+  bench_ = *bench;
+  messages_.say(tr("%1 lies beside the recording and was opened with it").arg(names.front()));
 }
 
 void Comparison::forgetDiagnosis() {

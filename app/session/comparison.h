@@ -41,7 +41,8 @@ class Comparison : public QObject {
 
   void openBench(const QString& path);
   /// Reads in a pool thread; another tool's log is understood first, in log(). Without a held-out recording, blocks of
-  /// the recording itself are held out.
+  /// the recording itself are held out. Where no bench is open, the only bench file beside the recording is opened,
+  /// too.
   void openRecording(const QString& path);
   void openHeldout(const QString& path);
   /// All of them or none.
@@ -101,6 +102,7 @@ class Comparison : public QObject {
   void inPool(std::function<std::function<void()>()> work);
   void take(std::optional<Recording> Comparison::*into, const Recording& recording);
   void read(const QString& path, std::optional<Recording> Comparison::*into);
+  void takeBenchBeside(const QString& path);
   void forgetDiagnosis();
   void prepareOverview();
   void takeDiagnosis(const Result<Diagnosis>& diagnosis);

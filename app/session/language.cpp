@@ -7,6 +7,10 @@
 #include <QSettings>
 #include <QTranslator>
 #include <algorithm>
+#include <cstddef>
+
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway {
 
@@ -23,6 +27,17 @@ struct Spoken {
 Spoken& spoken() {
   static Spoken one;
   return one;
+}
+
+/// Effects within an English sentence as words: "rising stiction". Their names as such are what files call them.
+void nameInWords(std::string& text) {
+  for (const Effect* effect : catalogue()) {
+    const std::string name(effect->name());
+    if (name.find('_') == std::string::npos) continue;
+    for (size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + name.size()))
+      std::replace(text.begin() + static_cast<std::ptrdiff_t>(at),
+                   text.begin() + static_cast<std::ptrdiff_t>(at + name.size()), '_', ' ');
+  }
 }
 
 }  // namespace
@@ -72,10 +87,12 @@ void speak(Language language) {
 }
 
 QString inLanguage(const Message& message) {
-  const std::string text = message.in(spoken().catalogue);
+  std::string text = message.in(spoken().catalogue);
   // What came through plain text, as reasons for an end do, may be a message as a whole.
   const std::string* whole = text == message.english() ? spoken().catalogue.find(text) : nullptr;
-  return QString::fromStdString(whole != nullptr ? *whole : text);
+  if (whole != nullptr) return QString::fromStdString(*whole);
+  if (spokenLanguage() != Language::german) nameInWords(text);
+  return QString::fromStdString(text);
 }
 
 QString nameInLanguage(const std::string& name) {

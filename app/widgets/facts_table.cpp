@@ -7,7 +7,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int oneLine = 30;  // characters of a value
+constexpr int oneLine = 14;  // characters of a value that needs no second line anywhere
 }  // namespace
 
 FactsTable::FactsTable(const char* objectName, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {

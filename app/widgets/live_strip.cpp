@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "session/connection.h"
 #include "session/live_samples.h"
@@ -21,7 +22,7 @@ namespace breakaway {
 
 namespace {
 constexpr int stripRailWidth = 168, nameWidth = 70, valueWidth = 60, unitWidth = 38, lineWidth = 48, logWidth = 120;
-constexpr double lineSpan_s = 5.0;
+constexpr double lineSpan_s = 5.0, manyDigits = 1e5;  // from there on decimals have no room
 constexpr size_t linePoints = 64;
 }  // namespace
 
@@ -118,7 +119,10 @@ void LiveStrip::refresh() {
   const auto newest = live_.current();
   for (size_t k = 0; k < numbers_.size(); ++k) {
     const LiveChannel& channel = channels_[k];
-    numbers_[k].value->setText(newest ? steadyNumber(channel.of(*newest), channel.leastSpan) : tr("–"));
+    const double value = newest ? channel.of(*newest) : 0.0;
+    numbers_[k].value->setText(!newest                        ? tr("–")
+                               : std::abs(value) < manyDigits ? steadyNumber(value, channel.leastSpan)
+                                                              : QString::number(value, 'f', 0));
     std::vector<double> line;
     if (newest) {
       const double rate_Hz = std::max(1.0, connection_.identity().loopRate_Hz);

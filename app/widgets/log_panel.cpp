@@ -25,13 +25,23 @@ namespace {
 
 enum Cell { name, takenAs, unit, first, why };
 constexpr size_t mostRows = 500;
-constexpr int choiceHeight = 34, numberWidth = 92, shortestChoice = 8, widestColumn = 400, valuesWidth = 132;
+constexpr int choiceHeight = 34, numberWidth = 92, shortestChoice = 8, widestColumn = 400, stateLines = 2,
+              valuesWidth = 132;
 constexpr qsizetype valuesSeen = 3;  // of each column in the table; its tooltip has all
+
+/// Without the advice that only the command can follow: here it is said in the boxes.
+QString withoutCommand(const Message& said) {
+  QString text = inLanguage(said);
+  const qsizetype command = text.indexOf("--map");
+  if (command < 0) return text;
+  const qsizetype advice = std::max(text.lastIndexOf(';', command), text.lastIndexOf(": ", command));
+  return (advice < 0 ? text : text.left(advice)) + LogPanel::tr("; say it here");
+}
 
 /// What was found, in one line.
 QString remarksOf(const LogOpening& log) {
   QStringList remarks;
-  for (const Message& one : log.remarks()) remarks << inLanguage(one);
+  for (const Message& one : log.remarks()) remarks << withoutCommand(one);
   return remarks.join("; ");
 }
 
@@ -66,6 +76,8 @@ LogPanel::LogPanel(LogOpening& log, QWidget* parent) : QWidget(parent), log_(log
   auto* column = columnIn(this, 6);
   title_ = section(this, {});
   state_ = explanation(this, {}, "logState");
+  state_->setMinimumHeight(stateLines * state_->fontMetrics().lineSpacing());  // the table stays where it is
+  state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   table_ = readTable(this, "logColumns", tr("Columns of the log as they are understood"),
                      {tr("Column"), tr("Taken as"), tr("Unit"), tr("First values"), tr("Why")},
                      {name, takenAs, unit, why, first});
@@ -176,8 +188,9 @@ QWidget* LogPanel::buildButtons() {
 void LogPanel::fill() {
   title_->setText(tr("%1, as it is understood").arg(QFileInfo(log_.path()).fileName()));
   state_->setText(log_.settling()         ? tr("Reading…")
-                  : !log_.fault().empty() ? inLanguage(log_.fault())
+                  : !log_.fault().empty() ? withoutCommand(log_.fault())
                                           : remarksOf(log_));
+  dressAs(state_, "tone", log_.settling() || log_.fault().empty() ? QString() : "trouble");
   const auto rows = static_cast<int>(std::min(log_.columns().size(), mostRows));
   if (table_->rowCount() != rows) table_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) showRow(row, log_.columns()[static_cast<size_t>(row)]);
@@ -188,7 +201,7 @@ void LogPanel::fill() {
   }
   fillSplit();
   setAvailable(open_, tr("Opens it, and remembers what was corrected for logs with these column names"),
-               log_.settling() ? tr("It is being read") : inLanguage(log_.fault()));
+               log_.settling() ? tr("It is being read") : withoutCommand(log_.fault()));
 }
 
 QComboBox* LogPanel::choice(int row, int cell, const char* what, const QStringList& choices) {
@@ -212,7 +225,7 @@ void LogPanel::showRow(int row, const LogColumn& column) {
            {},
            {},
            numbersText(column.first, 4).mid(0, valuesSeen).join("  "),
-           column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why)});
+           column.guessed ? tr("a guess: %1").arg(withoutCommand(column.why)) : withoutCommand(column.why)});
   table_->item(row, first)->setToolTip(numbersText(column.first, 7).join("  "));
   for (const int cell : {int{name}, int{why}}) table_->item(row, cell)->setToolTip(table_->item(row, cell)->text());
   QComboBox* taken = choice(row, takenAs, "logTakenAs", {tr("–")});

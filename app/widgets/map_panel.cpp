@@ -235,7 +235,8 @@ void MapPanel::showMap() {
   if (!linear) showBeside(picture);
   showFigure(picture);
   showLegend(picture.curves);
-  emit reading(picture.curves.empty() ? tr("A sweep homes first; then the map grows here")
+  emit reading(picture.curves.empty() ? known_.knows(Known::index) ? tr("The map grows here, breakaway by breakaway")
+                                                                   : tr("A sweep homes first; then the map grows here")
                                       : tr("Point at the plot, or use its arrow keys, to read a value"));
 }
 
@@ -273,10 +274,9 @@ std::optional<Estimate> MapPanel::average() const {
     case MapView::staticMean:
       return shown(staticAverage_Nm(known_.map), units.torqueScale);
     case MapView::coulomb:
-      return shown(known_.coulombAverage_Nm().value_or(known_.map.coulombAverage_Nm), units.torqueScale);
+      return shown(known_.map.coulombAverage_Nm, units.torqueScale);
     case MapView::viscous:
-      return shown(known_.viscousAverage_Nm_s_per_rad().value_or(known_.map.viscousAverage_Nm_s_per_rad),
-                   units.viscousScale);
+      return shown(known_.map.viscousAverage_Nm_s_per_rad, units.viscousScale);
     case MapView::total:
     case MapView::positionTorque:
       break;
@@ -301,8 +301,10 @@ void MapPanel::showFigure(const MapPicture& picture) {
   }
   if (count == 0 || view_ == MapView::positionTorque) {
     const bool nothing = known_.breakaways.empty() && !known_.knows(Known::map);
-    nothing&& underWay_ ? polar_->setFigure(tr("under way"), tr("–"), tr("the map begins after homing"))
-    : nothing           ? polar_->setFigure(tr("nothing measured yet"), tr("–"), tr("Run breakaway sweep"))
+    nothing&& underWay_ ? polar_->setFigure(tr("under way"), tr("–"),
+                                            known_.knows(Known::index) ? tr("the map begins after the speeds")
+                                                                       : tr("the map begins after homing"))
+    : nothing ? polar_->setFigure(tr("nothing measured yet"), tr("–"), tr("Run breakaway sweep"))
                         : polar_->setFigure({}, {}, {});
     return;
   }
@@ -310,7 +312,9 @@ void MapPanel::showFigure(const MapPicture& picture) {
   const auto whole = both ? average() : std::nullopt;
   const auto points = static_cast<double>(count);
   const Estimate mean = whole.value_or(Estimate{sum / points, errors / points});
-  const QString name = both ? tr("mean, both ways") : tr("mean");
+  const bool grows = std::any_of(picture.curves.begin(), picture.curves.end(),
+                                 [](const MapCurve& curve) { return curve.part == MapPart::shown && !curve.closed; });
+  const QString name = grows ? tr("mean so far") : both ? tr("mean, both ways") : tr("mean");
   if (!(mean.standardError > 0.0)) return polar_->setFigure(name, numberText(mean.value), picture.unit);
   // To the same place as in the averages.
   const QString text = estimateText(mean, 1.0, picture.unit);

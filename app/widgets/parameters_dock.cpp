@@ -20,9 +20,9 @@ namespace breakaway {
 namespace {
 
 enum Column { tickColumn, nameColumn, boardColumn, editedColumn, beforeColumn, profileColumn, rangeColumn };
-constexpr int columnWidths[] = {28, 0, 64, 68, 66, 70, 82};  // the name takes what is left
+constexpr int columnWidths[] = {28, 0, 60, 68, 66, 66, 82};  // the name takes what is left
 constexpr int digits = 4, mostDigits = 9, noteLines = 4, applyWidth = 144;
-constexpr int wide_px = 652, narrow_px = 436, wideFrom_px = 1700;  // the dock; from this window on it is wide
+constexpr int wide_px = 652, narrow_px = 430, wideFrom_px = 1700;  // the dock; from this window on it is wide
 
 /// As many digits as tell it from what the board has.
 QString valueText(double value, double other) {

@@ -16,7 +16,7 @@ RunPanel::RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* 
   activity_->setAccessibleName(tr("Activity"));
   activity_->setWordWrap(true);
   activity_->setMinimumHeight(2 * activity_->fontMetrics().lineSpacing());
-  activity_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  activity_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
   activity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   columnIn(this)->addWidget(activity_);
 }

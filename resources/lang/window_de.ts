@@ -1667,6 +1667,10 @@
         <source>starting</source>
         <translation>beginnt</translation>
     </message>
+    <message>
+        <source>%1 lies beside the recording and was opened with it</source>
+        <translation>%1 liegt neben der Aufzeichnung und wurde mit ihr geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::ConnectPage</name>
@@ -1891,16 +1895,24 @@
         <translation>Langsam hin und her drehen, ±6 rad/s, bis STOPP</translation>
     </message>
     <message>
-        <source>Connected. Next: Identify; or Friction, which makes by itself what it needs.</source>
-        <translation>Verbunden. Weiter mit Identifizieren; oder gleich mit Reibung, die selbst macht, was sie braucht.</translation>
-    </message>
-    <message>
         <source>Connect anew</source>
         <translation>Neu verbinden</translation>
     </message>
     <message>
         <source>A simulated board: every page works as with a real one, and nothing can break.</source>
         <translation>Ein simuliertes Board: jede Seite arbeitet wie mit einem echten, und nichts kann kaputtgehen.</translation>
+    </message>
+    <message>
+        <source>Connected. Next: %1; or %2, which makes by itself what it needs.</source>
+        <translation>Verbunden. Weiter mit %1; oder gleich mit %2, die selbst macht, was sie braucht.</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifizieren</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
     </message>
 </context>
 <context>
@@ -3317,6 +3329,10 @@
         <source>Left out</source>
         <translation>Wird weggelassen</translation>
     </message>
+    <message>
+        <source>; say it here</source>
+        <translation>; hier angeben</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::MainWindow</name>
@@ -3512,6 +3528,18 @@
     <message>
         <source>How often a turn the friction rises, as from poles or a shaft off its centre: comes with the first whole turn</source>
         <translation>Wie oft je Umdrehung die Reibung steigt, etwa durch Pole oder eine schiefe Welle: kommt mit der ersten ganzen Umdrehung</translation>
+    </message>
+    <message>
+        <source>The map grows here, breakaway by breakaway</source>
+        <translation>Hier wächst die Karte, Losbrechen um Losbrechen</translation>
+    </message>
+    <message>
+        <source>the map begins after the speeds</source>
+        <translation>nach der Geschw.-Fahrt</translation>
+    </message>
+    <message>
+        <source>mean so far</source>
+        <translation>Mittel bisher</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "pages/tune_page.h"
 #include "widgets/figure_chip.h"
 #include "widgets/polar_plot.h"
+#include "widgets/rail.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -117,6 +118,11 @@ void TestBenchJourney::wiringCheck_saysWhatBelongsTogether() {
   for (const QLabel* label : named<QWidget>(desk.window, "wiringFacts")->findChildren<QLabel*>())
     shown << label->text();
   QVERIFY2(shown.filter("count the same way").size() == 1, qPrintable(shown.join(" | ")));
+  // What is begun is what comes next, and not what follows it.
+  const auto* rail = named<Rail>(desk.window, "steps");
+  const auto words = [rail](int row) { return rail->item(row)->data(Qt::AccessibleDescriptionRole).toString(); };
+  QCOMPARE(words(1), QString("2 of 7 passed"));
+  QCOMPARE(words(2), QString());
 }
 
 void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured_data() {

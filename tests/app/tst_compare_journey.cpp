@@ -17,6 +17,7 @@
 #include "app/technician.h"
 #include "app/window_support.h"
 #include "house/program.h"
+#include "session/language.h"
 #include "support/real_recordings.h"
 #include "support/sanitized.h"
 #include "widgets/facts_table.h"
@@ -41,6 +42,8 @@ class TestCompareJourney : public QObject {
   void log_isShownAsUnderstoodAndCorrectedByAClick();
   void whatNoLogSays_isAskedForAndRemembered();
   void logOfSeveralMotors_isPartedByAClick();
+  void advice_isTheWindows();
+  void benchBesideARecording_isOpenedWithIt();
 
  private:
   const QTemporaryDir settings_;
@@ -378,6 +381,49 @@ void TestCompareJourney::log_isShownAsUnderstoodAndCorrectedByAClick() {
   QVERIFY(std::abs(recording->channel("angle_rad")[3] - 9.0 * 2.0 * M_PI) < 1e-9);
   QVERIFY(std::abs(recording->channel("current_A")[10] - 5e-3) < 1e-12);
   QVERIFY(!named<LogPanel>(desk.window, "logPanel")->isVisible());
+}
+
+/// What only the command can do isn't advised in the window.
+void TestCompareJourney::advice_isTheWindows() {
+  const QTemporaryDir folder;
+  QByteArray text = "ms_today;erpm;current_motor;duty_cycle;pos\n";
+  for (int k = 0; k < 50; ++k)
+    text +=
+        QByteArray::number(5 * k) + ";" + QByteArray::number(80.2 * k) + ";0.3;0.01;" + QByteArray::number(k) + "\n";
+  for (const Language language : {Language::english, Language::german}) {
+    speak(language);
+    Desk desk;
+    desk.session.comparison.openRecording(written(folder, text));
+    const LogOpening& log = desk.session.comparison.log();
+    QVERIFY(QTest::qWaitFor([&log] { return log.isOpen() && !log.settling(); }, patience_ms));
+    const auto* table = named<QTableWidget>(desk.window, "logColumns");
+    QStringList said{named<QLabel>(desk.window, "logState")->text()};
+    for (int row = 0; row < table->rowCount(); ++row) said << table->item(row, 4)->text();
+    const QString all = said.join(" | ");
+    speak(Language::english);
+    QVERIFY2(!all.contains("--map"), qPrintable(all));
+    QVERIFY2(all.contains(language == Language::english ? "pole pairs; say it here" : "Polpaar"), qPrintable(all));
+  }
+}
+
+void TestCompareJourney::benchBesideARecording_isOpenedWithIt() {
+  const QTemporaryDir folder;
+  const QString example = qEnvironmentVariable("BREAKAWAY_RESOURCES") + "/examples/example";
+  const QString recording = folder.filePath("r.csv"), bench = folder.filePath("r.bench.json");
+  QVERIFY(QFile::copy(example + ".csv", recording) && QFile::copy(example + ".bench.json", bench));
+  {
+    Desk desk;
+    desk.session.comparison.openRecording(recording);
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.bench().has_value(); }, patience_ms));
+    QCOMPARE(desk.session.comparison.bench()->name, std::string("example"));
+    QVERIFY(named<QPushButton>(desk.window, "diagnoseButton")->isEnabled());
+  }
+  // Of two none is meant.
+  QVERIFY(QFile::copy(bench, folder.filePath("other.bench.json")));
+  Desk desk;
+  desk.session.comparison.openRecording(recording);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.recording().has_value(); }, patience_ms));
+  QVERIFY(!desk.session.comparison.bench());
 }
 
 void TestCompareJourney::logOfSeveralMotors_isPartedByAClick() {

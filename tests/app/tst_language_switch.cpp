@@ -39,6 +39,7 @@ class TestLanguageSwitch : public QObject {
   void openQuestion_isWaitedFor();
   void openCell_isWaitedFor();
   void pausedPicture_stays();
+  void effects_areNamedInWords();
 };
 
 namespace {
@@ -323,6 +324,13 @@ void TestLanguageSwitch::openCell_isWaitedFor() {
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   QVERIFY(spoken(Language::german));
   QCOMPARE(desk.session.edits.count(), size_t{1});
+}
+
+void TestLanguageSwitch::effects_areNamedInWords() {
+  speak(Language::english);
+  QCOMPARE(inLanguage(Message("This recording could not show rising_stiction, backlash.")),
+           QString("This recording could not show rising stiction, backlash."));
+  QCOMPARE(inLanguage(Message("there is no column angle_rad")), QString("there is no column angle_rad"));
 }
 
 void TestLanguageSwitch::pausedPicture_stays() {

@@ -30,6 +30,8 @@ class TestPages : public QObject {
   void circleOfFriction_isAsLargeAsItsPlaceIsHigh();
   void positionLoop_hasItsOwnGainsAndStep();
   void emptyCards_sayWhatFillsThem();
+  void connected_leadsOnByAClick();
+  void facts_takeAnotherLineWhereTheyHaveNoRoom();
   void cursors_tellTheirDifferenceWhole();
   void identify_keepsItsPlacesWhateverIsKnown();
   void questionForAFile_isAskedOnce();
@@ -135,6 +137,31 @@ void TestPages::identify_keepsItsPlacesWhateverIsKnown() {
                                    {}}));
   QTest::qWait(20);
   QCOMPARE(places(), before);
+}
+
+void TestPages::connected_leadsOnByAClick() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("connectPage");
+  auto* state = named<QLabel>(desk.window, "connectionState");
+  QVERIFY2(state->text().contains("href='identifyPage'"), qPrintable(state->text()));
+  emit state->linkActivated("frictionPage");
+  QVERIFY(named<QWidget>(desk.window, "frictionPage")->isVisible());
+}
+
+void TestPages::facts_takeAnotherLineWhereTheyHaveNoRoom() {
+  QWidget window;
+  FactsTable table("facts", &window);
+  table.show({{"Wander of the friction", "0.029 ± 0.115 µNm s/rad", {}}, {"Inertia", "7.82 g cm²", {}}});
+  table.resize(270, table.sizeHint().height());
+  window.resize(270, 200);
+  window.show();
+  table.resize(270, table.heightForWidth(270));
+  QTest::qWait(20);
+  for (const QLabel* label : table.findChildren<QLabel*>()) {
+    const QRect wanted = label->fontMetrics().boundingRect(0, 0, label->width(), 0, Qt::TextWordWrap, label->text());
+    QVERIFY2(wanted.width() <= label->width() && wanted.height() <= label->height(), qPrintable(label->text()));
+  }
 }
 
 void TestPages::positionLoop_hasItsOwnGainsAndStep() {
