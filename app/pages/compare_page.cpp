@@ -36,6 +36,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr int shortValue = 16;  // characters that have room beside the longest name
+
 QString fileName(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).fileName();
 }
@@ -133,6 +135,7 @@ void ComparePage::buildBase() {
   auto* group = card(this);
   columnOf(group)->addWidget(section(group, tr("Base parameters")));
   base_ = new FactsTable("baseParameters", group);
+  base_->setOneLine(shortValue);
   columnOf(group)->addWidget(base_);
   settings()->addWidget(group);
 }

@@ -25,6 +25,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostValues = 12;
+constexpr int shortRunValue = 16;  // characters that have room beside the longest name
 
 QString asIs(const std::string& text) {
   return QString::fromStdString(text);
@@ -126,6 +127,7 @@ QWidget* RunsPage::buildChosen() {
   beneath_ = button("layMapBeneathButton", tr("Lay beneath"), 1, 0, &RunsPage::layBeneath);
   columnOf(group)->addLayout(grid);
   values_ = new FactsTable("runValues", group);
+  values_->setOneLine(shortRunValue);
   columnOf(group)->addWidget(values_);
   findings_ = explanation(group, {}, "runFindings");
   columnOf(group)->addWidget(findings_);

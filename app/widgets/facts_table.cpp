@@ -6,10 +6,6 @@
 
 namespace breakaway {
 
-namespace {
-constexpr int oneLine = 14;  // characters of a value that needs no second line anywhere
-}  // namespace
-
 FactsTable::FactsTable(const char* objectName, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
   setObjectName(objectName);
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -41,7 +37,7 @@ void FactsTable::show(const std::vector<Fact>& facts) {
   for (size_t k = 0; k < facts.size(); ++k) {
     rows_[k].first->setText(facts[k].name);
     rows_[k].second->setText(facts[k].value);
-    rows_[k].second->setWordWrap(facts[k].value.size() > oneLine);
+    rows_[k].second->setWordWrap(facts[k].value.size() > oneLine_);
     rows_[k].second->setAccessibleName(facts[k].name);
     for (QLabel* label : {rows_[k].first, rows_[k].second})
       label->setToolTip(facts[k].help.isEmpty() ? facts[k].value : facts[k].help);

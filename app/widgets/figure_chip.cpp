@@ -39,6 +39,7 @@ FigureChip::FigureChip(const char* objectName, const QString& title, QWidget* pa
 void FigureChip::show(const QString& value, const QString& rule, const QString& tone) {
   value_->setText(value);
   rule_->setText(rule);
+  layout()->activate();  // what it is has its width at once
   dressAs(this, "tone", tone);
   for (QLabel* label : {title_, rule_, value_}) dressAs(label, "tone", tone);
 }

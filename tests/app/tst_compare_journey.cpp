@@ -388,8 +388,8 @@ void TestCompareJourney::advice_isTheWindows() {
   const QTemporaryDir folder;
   QByteArray text = "ms_today;erpm;current_motor;duty_cycle;pos\n";
   for (int k = 0; k < 50; ++k)
-    text +=
-        QByteArray::number(5 * k) + ";" + QByteArray::number(80.2 * k) + ";0.3;0.01;" + QByteArray::number(k) + "\n";
+    text += QByteArray::number(5 * k) + ";" + QByteArray::number(80.2 * k) + ";0.3;0.01;" +
+            QByteArray::number(0.31 + 1.77 * k) + "\n";
   for (const Language language : {Language::english, Language::german}) {
     speak(language);
     Desk desk;

@@ -152,6 +152,7 @@ void TestPages::connected_leadsOnByAClick() {
 void TestPages::facts_takeAnotherLineWhereTheyHaveNoRoom() {
   QWidget window;
   FactsTable table("facts", &window);
+  table.setOneLine(16);
   table.show({{"Wander of the friction", "0.029 ± 0.115 µNm s/rad", {}}, {"Inertia", "7.82 g cm²", {}}});
   table.resize(270, table.sizeHint().height());
   window.resize(270, 200);
