@@ -95,6 +95,8 @@ QWidget* ConnectPage::buildBoards() {
   state_->setFixedHeight(stateLines * state_->fontMetrics().lineSpacing());
   state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   state_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  state_->setAccessibleName(tr("State of the connection"));
+  state_->setToolTip(tr("What came of connecting, and what is next"));
   connect(state_, &QLabel::linkActivated, this, &ConnectPage::pageAsked);
   column->addWidget(state_);
   connect(connect_, &QPushButton::clicked, this, &ConnectPage::connectChosen);

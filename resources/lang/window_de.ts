@@ -1914,6 +1914,14 @@
         <source>Friction</source>
         <translation>Reibung</translation>
     </message>
+    <message>
+        <source>State of the connection</source>
+        <translation>Stand der Verbindung</translation>
+    </message>
+    <message>
+        <source>What came of connecting, and what is next</source>
+        <translation>Was aus dem Verbinden wurde, und was als Nächstes kommt</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::Connection</name>
@@ -5007,15 +5015,15 @@ Klick: zeigt es im Log</translation>
     </message>
     <message>
         <source>Foretold, friction as in the last step: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
-        <translation>Vorhergesagt, Reibung laut Sprung: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
+        <translation>Modell, Reibung laut Sprung: Anstieg %1 ms, Überschw. %2 %, Einschw. %3 ms, Spitze %4 A</translation>
     </message>
     <message>
         <source>Foretold, friction by the wiring check: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
-        <translation>Vorhergesagt, Reibung laut Verdrahtung: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
+        <translation>Modell, Reibung laut Prüfung: Anstieg %1 ms, Überschw. %2 %, Einschw. %3 ms, Spitze %4 A</translation>
     </message>
     <message>
         <source>Foretold, friction unknown: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A</source>
-        <translation>Vorhergesagt, Reibung unbekannt: Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms, Spitze %4 A</translation>
+        <translation>Modell, Reibung unbekannt: Anstieg %1 ms, Überschw. %2 %, Einschw. %3 ms, Spitze %4 A</translation>
     </message>
 </context>
 <context>
