@@ -24,8 +24,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostValues = 12;
-constexpr int shortRunValue = 16;  // characters that have room beside the longest name
+constexpr size_t mostValues = 8;
+constexpr int shortRunValue = 8;  // characters that have room beside the longest name
 
 QString asIs(const std::string& text) {
   return QString::fromStdString(text);

@@ -25,8 +25,8 @@ namespace {
 
 enum Cell { name, takenAs, unit, first, why };
 constexpr size_t mostRows = 500;
-constexpr int choiceHeight = 34, numberWidth = 92, shortestChoice = 8, widestColumn = 400, stateLines = 2,
-              valuesWidth = 132;
+constexpr int choiceHeight = 34, numberWidth = 92, shortestChoice = 8, widestName = 140, besideName = 10,
+              stateLines = 2, valuesWidth = 132;
 constexpr qsizetype valuesSeen = 3;  // of each column in the table; its tooltip has all
 
 /// Without the advice that only the command can follow: here it is said in the boxes.
@@ -83,16 +83,19 @@ LogPanel::LogPanel(LogOpening& log, QWidget* parent) : QWidget(parent), log_(log
                      {name, takenAs, unit, why, first});
   // All of it is seen without scrolling: the reasons take what is left, in as many lines as they need.
   QHeaderView* header = table_->horizontalHeader();
-  header->setMaximumSectionSize(widestColumn);
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(name, QHeaderView::Fixed);
   header->setSectionResizeMode(first, QHeaderView::Fixed);
   header->setSectionResizeMode(why, QHeaderView::Stretch);
   table_->setColumnWidth(first, valuesWidth);
   table_->verticalHeader()->setMinimumSectionSize(choiceHeight);
   table_->verticalHeader()->setDefaultSectionSize(choiceHeight);
-  connect(header, &QHeaderView::sectionResized, this, [this](int resized) {
-    if (resized == why) table_->resizeRowsToContents();
-  });
+  connect(
+      header, &QHeaderView::sectionResized, this,
+      [this](int resized) {
+        if (resized == why) table_->resizeRowsToContents();
+      },
+      Qt::QueuedConnection);
   column->addWidget(title_);
   column->addWidget(state_);
   column->addWidget(table_, 1);
@@ -194,7 +197,12 @@ void LogPanel::fill() {
   const auto rows = static_cast<int>(std::min(log_.columns().size(), mostRows));
   if (table_->rowCount() != rows) table_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) showRow(row, log_.columns()[static_cast<size_t>(row)]);
-  table_->resizeRowsToContents();
+  int longest = table_->horizontalHeader()->sectionSizeHint(name);
+  for (int row = 0; row < rows; ++row)
+    longest = std::max(longest, table_->fontMetrics().horizontalAdvance(table_->item(row, name)->text()));
+  table_->setColumnWidth(name, std::min(longest + besideName, widestName));  // a longer one is whole in its tooltip
+  // Once more when the columns have their widths.
+  QMetaObject::invokeMethod(table_, &QTableView::resizeRowsToContents, Qt::QueuedConnection);
   for (const Number& one : numbers_) {
     const auto& value = log_.map().*one.number;
     one.edit->setText(value ? QLocale::c().toString(*value, 'g', 10) : QString());

@@ -4279,7 +4279,7 @@
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation>Als CSV speichern…</translation>
+        <translation>CSV speichern…</translation>
     </message>
     <message>
         <source>Lay beneath</source>
