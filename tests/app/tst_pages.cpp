@@ -10,9 +10,11 @@
 
 #include "app/desk.h"
 #include "app/rendered_tree.h"
+#include "app/spoken.h"
 #include "firmware_link/presets.h"
 #include "pages/tune_page.h"
 #include "session/settings_edits.h"
+#include "support/temporary.h"
 #include "widgets/board_list.h"
 #include "widgets/facts_table.h"
 #include "widgets/file_chooser.h"
@@ -36,6 +38,10 @@ class TestPages : public QObject {
   void identify_keepsItsPlacesWhateverIsKnown();
   void questionForAFile_isAskedOnce();
   void presets_sayWhatTheyAre();
+  void stepsOfTuning_areNamedWhole_data();
+  void stepsOfTuning_areNamedWhole();
+  void parameters_leaveTuneItsStepOnASmallScreen_data();
+  void parameters_leaveTuneItsStepOnASmallScreen();
 };
 
 void TestPages::initTestCase() {
@@ -203,6 +209,81 @@ void TestPages::presets_sayWhatTheyAre() {
     QVERIFY2(words.contains(' ') && !words.startsWith("simulated:"), qPrintable(words));
     QVERIFY2(!rows.front()->data(BoardList::aboutRole).toString().isEmpty(), name.c_str());  // and beside its name
   }
+}
+
+void TestPages::stepsOfTuning_areNamedWhole_data() {
+  QTest::addColumn<bool>("german");
+  QTest::newRow("in English") << false;
+  QTest::newRow("in German") << true;
+}
+
+/// As many as are ever drawn, in the room that they have at 1280 × 720.
+void TestPages::stepsOfTuning_areNamedWhole() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  StepPlot plot;
+  plot.resize(380, 300);
+  const StepCurve curve{{-0.01, 0.0, 0.1}, {0.0, 0.0, 20.0}, {0.0, 20.0, 20.0}, {0.0, 0.0, 1.0}};
+  StepResult step;
+  step.curve = curve;
+  plot.foretell(curve);
+  plot.show(std::vector<StepResult>(12, step));
+  plot.QWidget::show();
+  QTest::qWait(20);
+  const QStringList cut = crampedIn(*plot.findChild<QCustomPlot*>());
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+}
+
+void TestPages::parameters_leaveTuneItsStepOnASmallScreen_data() {
+  stepsOfTuning_areNamedWhole_data();
+}
+
+void TestPages::parameters_leaveTuneItsStepOnASmallScreen() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  QVERIFY(desk.connected());
+  const TemporaryFolder folder;
+  const QString profile = QString::fromStdString(folder.path("bench 3.profile.json"));
+  desk.answers.byTitle[german ? "Das Profil speichern" : "Save the profile"] = profile;
+  press(desk.window, "saveProfileButton");
+  QTRY_VERIFY(QFile::exists(profile));
+  desk.window.resize(1280, 720);
+  desk.window.showPage("tunePage");
+  const auto* loops = named<QWidget>(desk.window, "bodePlot");
+  QTRY_VERIFY(loops->isVisible());
+  desk.window.showParameters(true);
+  QTest::qWait(20);
+  const auto* room = named<QScrollArea>(desk.window, "pageRoom");
+  QVERIFY2(!room->horizontalScrollBar()->isVisible(), "the whole page is there");
+  const QRect free(room->mapToGlobal(QPoint(0, 0)), room->viewport()->size());
+  for (const char* whole : {"stepPlot", "stepTable", "phaseMarginChip", "noiseChip", "kpSlider", "applyButton"}) {
+    const auto* one = named<QWidget>(desk.window, whole);
+    QVERIFY2(one->isVisible() && free.contains(QRect(one->mapToGlobal(QPoint(0, 0)), one->size())), whole);
+  }
+  QVERIFY(named<QWidget>(desk.window, "stepPlot")->width() >= 280);
+  QVERIFY(!loops->isVisible());
+  const QStringList cut = clippedWhereSmall(desk.window);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+  // With edits and a profile open, whose names and values take the most room.
+  ControllerSettings other = desk.session.edits.accepted();
+  desk.session.edits.openProfile(profile);
+  other.velocity_ki_A_per_rad = 0.5;
+  other.observer_cutoff_rad_per_s *= 0.5;
+  desk.session.edits.edit(other);
+  QTRY_VERIFY(named<TunePage>(desk.window, "tunePage")->preview().figures.rise_s > 0.0);
+  desk.window.resize(1280, 720);
+  QTest::qWait(50);
+  const QStringList shorter =
+      shortened(*named<QWidget>(desk.window, "tunePage")) + shortened(*named<QWidget>(desk.window, "parametersDock"));
+  QVERIFY2(shorter.isEmpty(), qPrintable(shorter.join("; ")));
+  constexpr int names = 1;
+  const QStringList cells = shortenedIn(*named<QTableWidget>(desk.window, "parametersTable"), names);
+  QVERIFY2(cells.isEmpty(), qPrintable(cells.join("; ")));
+  desk.window.showParameters(false);
+  QTRY_VERIFY(loops->isVisible());
+  const QStringList alone = shortened(*named<QWidget>(desk.window, "tunePage"));
+  QVERIFY2(alone.isEmpty(), qPrintable(alone.join("; ")));
 }
 
 JOURNEY_MAIN(TestPages)
