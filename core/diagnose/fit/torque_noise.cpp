@@ -7,7 +7,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double shortestFriction_s = 0.05;  ///< correlation time of what makes a rig a bad one
+constexpr double shortestFriction_s = 0.01;  ///< correlation time of friction that makes a rig a bad one
 
 }  // namespace
 
