@@ -36,7 +36,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int shortValue = 16;  // characters that have room beside the longest name
+constexpr int shortValue = 14;  // characters that have room beside the longest name
 
 QString fileName(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).fileName();

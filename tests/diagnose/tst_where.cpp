@@ -72,6 +72,7 @@ class TestWhere : public QObject {
   Q_OBJECT
  private slots:
   void shiftInOneCell_isSignificant_noiseIsNot();
+  void whatLasts_isOneEvent();
   void higherFrictionOverAStretch_isSaidInDegreesBothWays();
   void stretchOverZero_isOnePlace();
   void insignificantMap_isNoPlace();
@@ -99,6 +100,23 @@ void TestWhere::shiftInOneCell_isSignificant_noiseIsNot() {
   QVERIFY(found[1].pValue <= 0.01);
   QVERIFY(found[0].pValue > 0.05);
   QVERIFY2(found[1].energy > 100.0 && found[1].energy < 250.0, qPrintable(QString::number(found[1].energy)));
+}
+
+/// A residual that lasts for four blocks comes into its cell four times by one chance.
+void TestWhere::whatLasts_isOneEvent() {
+  const auto falseAlarms = [](size_t together) {
+    int count = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+      BlockMap map = noisyMap(seed, 0.0);
+      for (auto& cell : map.sums) {
+        for (size_t block = 0; block < cell.size(); ++block) cell[block] = cell[block - block % 4];
+      }
+      count += significances({map}, 40, seed, together)[0].pValue <= 0.05 ? 1 : 0;
+    }
+    return count;
+  };
+  QVERIFY2(falseAlarms(1) > 10, qPrintable(QString::number(falseAlarms(1))));
+  QVERIFY2(falseAlarms(4) <= 6, qPrintable(QString::number(falseAlarms(4))));
 }
 
 void TestWhere::higherFrictionOverAStretch_isSaidInDegreesBothWays() {

@@ -102,7 +102,7 @@ void preferComplete(std::vector<Window>& windows, const std::vector<Track>& trac
     }
     return true;
   });
-  if (4 * complete.size() > windows.size()) windows = std::move(complete);
+  if (2 * complete.size() > windows.size()) windows = std::move(complete);
 }
 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are

@@ -36,14 +36,16 @@ double BlockMap::error(size_t cell) const {
   return std::sqrt(std::inner_product(sums[cell].begin(), sums[cell].end(), sums[cell].begin(), 0.0));
 }
 
-std::vector<Significance> significances(const std::vector<BlockMap>& maps, size_t blocks, std::uint64_t seed) {
+std::vector<Significance> significances(const std::vector<BlockMap>& maps, size_t blocks, std::uint64_t seed,
+                                        size_t together) {
   std::vector<double> sign(blocks, 1.0), energy, centre, spread;
   energy.reserve(maps.size());
   for (const BlockMap& map : maps) energy.push_back(energyOf(map, sign));
   Random random(seed);
   std::vector<std::vector<double>> chance(maps.size());
   for (size_t flip = 0; flip < flips; ++flip) {
-    for (double& one : sign) one = random.bits() >> 63 ? 1.0 : -1.0;
+    for (size_t block = 0; block < blocks; ++block)
+      sign[block] = block % together > 0 ? sign[block - 1] : random.bits() >> 63 ? 1.0 : -1.0;
     for (size_t m = 0; m < maps.size(); ++m) chance[m].push_back(energyOf(maps[m], sign));
   }
   std::vector<Significance> out(maps.size());

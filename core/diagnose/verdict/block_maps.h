@@ -26,7 +26,9 @@ struct Significance {
 
 /// One per map. The blocks' signs are flipped for all maps alike, so that the family-wise p-value knows how the maps
 /// depend on each other (P. Westfall, S. Young, 'Resampling-Based Multiple Testing', 1993: max-T); each map counts in
-/// standard deviations of its own flips.
-std::vector<Significance> significances(const std::vector<BlockMap>& maps, size_t blocks, std::uint64_t seed);
+/// standard deviations of its own flips. `together`: neighbouring blocks whose signs flip as one, for a residual that
+/// lasts longer than a block.
+std::vector<Significance> significances(const std::vector<BlockMap>& maps, size_t blocks, std::uint64_t seed,
+                                        size_t together = 1);
 
 }  // namespace breakaway

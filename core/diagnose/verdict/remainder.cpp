@@ -172,7 +172,8 @@ bool Remainder::outside() const {
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
   if (!rest.aboveFloor) return;
-  std::vector<ResidualMap> maps = residualMaps(model, prepared.training, seed, heldoutTracks(prepared));
+  const double lasts_s = rest.wander.rms > 0.0 ? rest.wander.time_s : 0.0;
+  std::vector<ResidualMap> maps = residualMaps(model, prepared.training, seed, heldoutTracks(prepared), lasts_s);
   const Criteria& criteria = prepared.criteria;
   const ForetoldWindows windows(model, prepared);
   std::erase_if(maps, [&](const ResidualMap& map) {

@@ -264,8 +264,17 @@ double ResidualMap::at(double place, double speed) const {
   return next->cosine * std::cos(waveOrder * place) + next->sine * std::sin(waveOrder * place);
 }
 
+/// How many seconds of a torque that wanders are one event: two correlation times, while enough events are left to
+/// flip.
+static size_t secondsTogether(double wander_s, size_t seconds) {
+  constexpr size_t fewestEvents = 12;
+  const double lasts_s = std::ceil(2.0 * wander_s);
+  const size_t most = std::max<size_t>(1, seconds / fewestEvents);
+  return lasts_s < static_cast<double>(most) ? std::max<size_t>(1, static_cast<size_t>(lasts_s)) : most;
+}
+
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
-                                      const std::vector<Track>& heldout) {
+                                      const std::vector<Track>& heldout, double wander_s) {
   const AllInstants all = instantsOf(model, tracks), kept = instantsOf(model, heldout, &all);
   std::vector<Candidate> candidates;
   const auto add = [&](Along axis, Unknown shows) {
@@ -288,7 +297,7 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
   }
   std::vector<BlockMap> sums;
   for (Candidate& one : candidates) std::move(one.sums.begin(), one.sums.end(), std::back_inserter(sums));
-  const std::vector<Significance> found = significances(sums, all.blocks, seed);
+  const std::vector<Significance> found = significances(sums, all.blocks, seed, secondsTogether(wander_s, all.blocks));
   // Lost voltage counts by the torque that it costs, beside the unexplained torque.
   const Physics p = physicsOf(model);
   const double torquePerVolt = p.electrical ? p.torqueConstant / p.resistance : 0.0;

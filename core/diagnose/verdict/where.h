@@ -58,9 +58,10 @@ struct ResidualMap {
 };
 
 /// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
-/// `heldout`: what the maps foretell of these.
+/// `heldout`: what the maps foretell of these. `wander_s`: correlation time of torque that wanders at random, which
+/// falls into the same cells for that long: as many seconds flip as one.
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
-                                      const std::vector<Track>& heldout = {});
+                                      const std::vector<Track>& heldout = {}, double wander_s = 0.0);
 
 /// Of two maps over the same axis: whether the first is the one to look at. What is alike at all speeds is simpler.
 bool showsMore(const ResidualMap& map, const ResidualMap& other, const Criteria& criteria = {});
