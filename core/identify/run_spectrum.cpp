@@ -132,8 +132,8 @@ std::vector<AngleBinSums> movingOf(const std::vector<AngleBinSums>& bins, const 
     if (before == k || !(samples > 0.0)) continue;
     moving[k].add(bins[before]);
     moving[k].add(bins[after]);
-    const double half = static_cast<double>(moving[k].samples / 2) / samples;
     moving[k].samples /= 2;
+    const double half = static_cast<double>(moving[k].samples) / samples;
     moving[k].current_A *= half;
     moving[k].velocity_rad_per_s *= half;
   }

@@ -212,7 +212,7 @@ void TestVelocityFriction::placeWhereTheRotorSticks_isNoMovingFriction() {
     if (std::abs(run.target_rad_per_s) > 30.0) continue;
     const double static_A = (run.target_rad_per_s > 0.0 ? 1.0 : -1.0) * 0.026 / Kt;
     for (const size_t bin : {100u, 101u}) {
-      for (size_t n = 0; n < 20 * 160; ++n) {
+      for (size_t n = 0; n < 3200; ++n) {
         run.bins[bin].add(static_A, 0.0);
         run.blocks[n / 400].bins[bin].add(static_A, 0.0);
       }

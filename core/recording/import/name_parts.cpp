@@ -333,7 +333,7 @@ namespace {
 
 /// `{axis="1"}` of `motor_speed_rpm{axis="1"}`, as databases of metrics label a series: the values in quotes.
 std::string labelsOf(std::string_view& name) {
-  const size_t open = name.find("{");
+  const size_t open = name.find('{');
   if (open == std::string_view::npos || open == 0 || name.back() != '}') return {};
   std::string values;
   std::string_view inner = name.substr(open + 1, name.size() - open - 2);
