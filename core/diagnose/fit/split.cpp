@@ -91,7 +91,7 @@ size_t lookedBackTo(const Window& window, const Track& track) {
   return row;
 }
 
-/// Leaves out windows with a missing row, in which a restless drive may have done anything, where a quarter have none.
+/// Leaves out windows with a missing row, in which a restless drive may have done anything, where most have none.
 /// What it did before a window begins is in its first speed and current.
 void preferComplete(std::vector<Window>& windows, const std::vector<Track>& tracks) {
   std::vector<Window> complete;
