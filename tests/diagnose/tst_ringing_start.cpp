@@ -64,6 +64,7 @@ void TestRingingStart::ringing_isFound_data() {
   QTest::newRow("faster than rows") << 0.01;
   QTest::newRow("two rows a turn") << 0.0033;
   QTest::newRow("seven rows a turn") << 0.001;
+  QTest::newRow("once a row") << 1.0 / 149.0;
 }
 
 void TestRingingStart::ringing_isFound() {

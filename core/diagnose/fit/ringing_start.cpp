@@ -22,6 +22,9 @@ constexpr double leastCounts = 2.0;         ///< per row, of a motion whose dire
 constexpr size_t fewestRows = 100;          ///< of the recursion
 constexpr double slowRinging_rows = 10;     ///< rows per radian: the inverse model sees what is slower
 constexpr double quickestRinging_Hz = 500.0;
+/// Mean of two poles on the positive axis over the root of their product, up to which noise may have parted a pair:
+/// what rings about once a row, or twice, looks like a double one.
+constexpr double aPairStill = 1.1;
 
 using Products = Eigen::Matrix<double, allColumns, allColumns>;
 
@@ -95,10 +98,10 @@ std::optional<Recursion> recursionOf(const std::vector<Track>& tracks, double st
   const double product = -found[1];  // of both poles in z
   if (!(product > 0.0) || product >= 1.0) return std::nullopt;
   const double cosine = found[0] / (2.0 * std::sqrt(product));
-  if (cosine >= 1.0) return std::nullopt;  // two poles that don't ring
+  if (cosine >= aPairStill) return std::nullopt;  // two poles that don't ring
   Recursion out;
   out.damping = -0.5 * std::log(product) / step_s;
-  out.rings = std::acos(std::max(cosine, -1.0)) / step_s;
+  out.rings = std::acos(std::clamp(cosine, -1.0, 1.0)) / step_s;
   const double still = 1.0 - found[0] - found[1];
   out.gain = found.segment(2, actingVoltages).sum() / still;
   out.friction = -found[2 + actingVoltages] / still;
