@@ -48,6 +48,7 @@ class TestCatalogue : public QObject {
   void words_areWholeAndFinite();
   void wrongSign_isNotPlausible();
   void whatTheTravelDoesNotShow_isNotPlausible();
+  void waveOverATravel_hasOvertones();
   void aReadingWithinItsRow_isNoSkew();
   void heatOfTheUsualCurrent_isWhatCounts();
   void pushThatMayBeginAfterItsEnd_saysNothing();
@@ -363,6 +364,18 @@ void TestCatalogue::whatTheTravelDoesNotShow_isNotPlausible() {
   const std::vector<double> middle{stiffness, seen.highest - 0.5 * seen.travel, 1.0, 0.0};
   QVERIFY(findEffect("end_stop")->plausible(end, seen));
   QVERIFY(!findEffect("end_stop")->plausible(middle, seen));
+}
+
+/// What repeats over a travel is seldom one wave; on a rotor the orders are tried one by one.
+void TestCatalogue::waveOverATravel_hasOvertones() {
+  Excitation seen = richExcitation(DriveInput::torque);
+  const Effect& cogging = *findEffect("cogging");
+  QVERIFY(cogging.besides(std::vector<double>{0.1 * seen.peakTorque, 0.3, 2.0}, seen).empty());
+  seen.axis = Axis::linear;
+  const double period = 0.6 * seen.travel;
+  const auto others = cogging.besides(std::vector<double>{0.1 * seen.peakTorque, 0.3, period}, seen);
+  QCOMPARE(others.size(), size_t(2));  // twice and three times as long is longer than the travel
+  for (const auto& one : others) QVERIFY(one[2] < period && cogging.plausible(one, seen));
 }
 
 /// When within its row a measured current was read is the base's; a commanded one has no such freedom.

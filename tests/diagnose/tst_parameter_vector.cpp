@@ -1,6 +1,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "diagnose/effects/all.h"
 #include "diagnose/fit/parameter_vector.h"
 #include "diagnose/fit/preparation.h"
 #include "support/known_servo.h"
@@ -17,6 +18,7 @@ class TestParameterVector : public QObject {
   void heldValues_areNotFree();
   void bias_staysATrifle_andLeavesAConstantLoadToItsEffect();
   void limits_reachFromTheBenchToWhatTheCurrentShows();
+  void shapeThatMayBeAny_leavesTheSizeKnown();
 };
 
 namespace {
@@ -29,6 +31,26 @@ Eigen::Index indexOf(const ParameterVector& parameters, const std::string& name)
 }
 
 }  // namespace
+
+/// An exponent between 0.5 and 3, which data don't tell and the size hangs together with: the size is as uncertain as
+/// these exponents leave it, and not as any number would.
+void TestParameterVector::shapeThatMayBeAny_leavesTheSizeKnown() {
+  Model model = servoModel(DriveInput::torque);
+  model.effects.push_back(frictionNearStandstill(8e-3, 5.0, Axis::rotary));
+  const ParameterVector parameters(model, {}, 0.05, 50.0, true);
+  const Eigen::Index size = indexOf(parameters, "excess_Nm"), exponent = indexOf(parameters, "exponent");
+  QVERIFY(size >= 0 && exponent >= 0);
+  // One unit of the exponent's logarithm goes with a fifth of the size, and it is uncertain by five.
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(parameters.size(), parameters.size());
+  covariance(exponent, exponent) = 25.0;
+  covariance(size, exponent) = covariance(exponent, size) = 5.0;
+  covariance(size, size) = 1.0 + 1e-4;
+  const Model known = parameters.withIntervals(parameters.start(), covariance, 1.96);
+  const Parameter& excess = known.effects[0].parameters[0];
+  QVERIFY(excess.low95 > 0.7 * excess.value && excess.low95 < 0.9 * excess.value);
+  const Parameter& p = known.effects[0].parameters[2];
+  QVERIFY(p.low95 >= 0.5 - 1e-9 && p.high95 <= 3.0 + 1e-9 && p.high95 - p.low95 > 1.5);
+}
 
 /// Wherever the start lies between them, so that fits that follow each other don't walk away.
 void TestParameterVector::inductance_staysWithinItsLimits() {

@@ -7,6 +7,7 @@
 #include "recording/csv.h"
 #include "recording/import/import.h"
 #include "support/driven_recording.h"
+#include "support/foreign_rig.h"
 #include "support/known_servo.h"
 #include "support/recorded_rig.h"
 #include "support/sanitized.h"
@@ -35,6 +36,7 @@ class TestScaleCheck : public QObject {
   void voltageAlone_letsAnUntrustedBenchBeWrong();
   void bridgeThatLosesVoltage_isNoScale();
   void voltageOfEveryFifthRow_isNoSign();
+  void currentThatIsOverWithinARow_isNoSign();
   void soundTrials_getNoHeadline_data();
   void soundTrials_getNoHeadline();
 };
@@ -266,6 +268,14 @@ void TestScaleCheck::voltageOfEveryFifthRow_isNoSign() {
   const auto check = checkScales(*readBench(dataFile("every_fifth_row.bench.json")), {*first, *second});
   QVERIFY(check);
   QVERIFY2(!check->misread, check->misread ? check->misread->sentence.c_str() : "");
+}
+
+/// A rotor that follows the voltage within a fifth of a row: what the current is between is of the other sign as often
+/// as not.
+void TestScaleCheck::currentThatIsOverWithinARow_isNoSign() {
+  const ForeignRig rig = foreignRig("winding_heating", 47);
+  const auto check = checkScales(rig.bench, rig.recordings, {});
+  QVERIFY2(check && !check->misread, rig.words.c_str());
 }
 
 void TestScaleCheck::soundTrials_getNoHeadline_data() {

@@ -14,8 +14,9 @@ double waveNumber(double orderOrPeriod, Axis axis) {
   return axis == Axis::rotary ? orderOrPeriod : turn_rad / orderOrPeriod;
 }
 
-constexpr double mostWaves = 50.0;   ///< over a linear axis' travel
-constexpr double leastCounts = 8.0;  ///< of a wave
+constexpr double mostWaves = 50.0;      ///< over a linear axis' travel
+constexpr double leastCounts = 8.0;     ///< of a wave
+constexpr double startOfFurther = 0.3;  ///< of a wave's size
 
 /// sin(x) / x; the series' error is below 1.2e-8.
 double meanCosine(double x) {
@@ -37,6 +38,16 @@ std::vector<ParameterSpec> WaveEffect::parameters(Axis axis) const {
 
 bool WaveEffect::mayRepeat(const Excitation& seen) const {
   return seen.axis == Axis::rotary && seen.travel > 0.5 * turn_rad;
+}
+
+std::vector<std::vector<double>> WaveEffect::besides(std::span<const double> p, const Excitation& seen) const {
+  std::vector<std::vector<double>> waves;
+  if (seen.axis != Axis::linear) return waves;
+  for (const double times : {0.5, 2.0, 1.0 / 3.0, 3.0}) {
+    const std::vector<double> wave{startOfFurther * p[0], p[1], times * p[2]};
+    if (wave[2] > leastCounts * seen.count && plausible(wave, seen)) waves.push_back(wave);
+  }
+  return waves;
 }
 
 std::vector<double> WaveEffect::scaled(const Shape& shape, std::span<const double> amplitude) const {

@@ -20,6 +20,9 @@ class WaveEffect : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override;
   /// Where the data can tell waves of several orders apart: on half a turn of a rotor.
   bool mayRepeat(const Excitation& seen) const override;
+  /// Overtones and undertones over a travel: what repeats there is seldom one wave, and two of any periods can't be
+  /// told from one another.
+  std::vector<std::vector<double>> besides(std::span<const double> p, const Excitation& seen) const override;
   /// Parameters of a·cosine + b·sine: {A₀·hypot(a, b), atan2(b, a), k}.
   std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const final;
   /// " With it, weaker: 14 times per turn (22 % of that)."

@@ -147,8 +147,24 @@ Model ParameterVector::at(const Eigen::VectorXd& x) const {
   return withIntervals(x, Eigen::MatrixXd(), 0.0);
 }
 
-Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, double errors) const {
+/// An effect's shape that may only lie between two bounds, such as an exponent, is known at least as well as these
+/// tell: as one reading, evenly likely between them, that comes in beside the data. A covariance knows nothing of
+/// bounds, and a shape that may be any would leave the size beside it unknown, too, for shapes that there can't be.
+Eigen::MatrixXd ParameterVector::withinBounds(Eigen::MatrixXd covariance) const {
+  for (Eigen::Index k = 0; k < covariance.rows(); ++k) {
+    const Slot& slot = slots_[static_cast<size_t>(k)];
+    if (!slot.bounded || slot.effect == 0) continue;
+    const double range = slot.upper - slot.lower;
+    const Eigen::VectorXd along = covariance.col(k);
+    covariance -= along * along.transpose() / (covariance(k, k) + range * range / 12.0);
+  }
+  return covariance;
+}
+
+Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covarianceOfData,
+                                     double errors) const {
   Model model = model_;
+  const Eigen::MatrixXd covariance = withinBounds(covarianceOfData);
   const auto place = [](Parameter& one, double value, double low, double high) {
     one.value = value;
     one.low95 = low;

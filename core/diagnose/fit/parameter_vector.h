@@ -61,6 +61,7 @@ class ParameterVector {
     double upper = 1e300;
   };
   static Parameter& parameter(Model& model, const Slot& slot);
+  Eigen::MatrixXd withinBounds(Eigen::MatrixXd covariance) const;
 
   Model model_;
   std::vector<Slot> slots_;

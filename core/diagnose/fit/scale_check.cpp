@@ -76,13 +76,20 @@ class Scales {
       const bool surelyR = isKnown(winding_->resistance_ohm), surelyK = isKnown(winding_->backEmf);
       if (!surelyR || !surelyK) return {};
       // A channel that is turned turns its sign against both others: of three pairs, none or two disagree. One alone
-      // was misread from rows that don't hold what acted between them.
-      if (mechanics_ && isKnown(mechanics_->inertia) && (r != k) != isNegative(mechanics_->inertia)) return {};
-      if (r) return k ? voltage : current;
+      // was misread from rows that don't hold what acted between them. The third pair is told by the inertia, or else
+      // by the friction.
+      if (r || k) {
+        const bool byInertia = mechanics_ && isKnown(mechanics_->inertia);
+        const double gone = energyGone(tracksByCurrent());
+        if (!byInertia && std::abs(gone) < limits_.energyBack) return {};
+        if ((r != k) != (byInertia ? isNegative(mechanics_->inertia) : gone < 0.0)) return {};
+      }
+      if (r && !k) return currentOutlastsRows() ? std::optional(current) : std::nullopt;
+      if (r) return voltage;
       if (k) return angle;
       return {};
     }
-    if (!mechanics_ || energyGone() > -limits_.energyBack) return {};
+    if (!mechanics_ || energyGone(tracks_) > -limits_.energyBack) return {};
     const Estimate& f = mechanics_->coulomb;
     const Estimate& j = mechanics_->inertia;
     const bool friction = f.value + limits_.farApart * f.standardError < 0.0;
@@ -160,6 +167,13 @@ class Scales {
   static bool isNegative(const Estimate& one) { return one.value < 0.0; }
   bool isKnown(const Estimate& one) const { return std::abs(one.value) > limits_.farApart * one.standardError; }
 
+  /// Whether a current lasts for rows after the voltage has changed: the time in which the rotor follows, J R / K², has
+  /// to be longer. Else what is read in between has another sign than what acted.
+  bool currentOutlastsRows() const {
+    const auto byVoltage = mechanicsOf(tracks_);
+    return !byVoltage || isKnown(byVoltage->inertia);
+  }
+
   std::vector<Track> tracksByCurrent() const {
     std::vector<Track> out = tracks_;
     for (Track& track : out) {
@@ -193,9 +207,9 @@ class Scales {
   }
 
   /// Of all energy that the drive exchanges with the motion, the part that it gives more than it takes.
-  double energyGone() const {
+  static double energyGone(const std::vector<Track>& tracks) {
     double given = 0.0, all = 0.0;
-    for (const Track& track : tracks_) {
+    for (const Track& track : tracks) {
       for (size_t k = 0; k + 1 < track.rows(); ++k) {
         if (track.connected[k] == 0) continue;
         const double work = track.input[k] * (track.position[k + 1] - track.position[k]);

@@ -107,6 +107,8 @@ class Effect {
   virtual bool plausible(std::span<const double>, const Excitation&) const { return true; }
   /// Other held parameters worth a fit of their own once the effect is in.
   virtual std::vector<std::vector<double>> variants(std::span<const double>, const Excitation&) const { return {}; }
+  /// Further terms of the same effect that are likely beside one, where mayRepeat() doesn't have all tried.
+  virtual std::vector<std::vector<double>> besides(std::span<const double>, const Excitation&) const { return {}; }
 
   // What people read.
 

@@ -11,7 +11,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostContinued = 4;
+constexpr size_t mostContinued = 4, mostWaves = 4;
 
 void dropLeast(std::vector<Pick>& picks) {
   const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
@@ -107,8 +107,44 @@ void Adoption::sortByLeft(std::vector<Tried>& tried) {
   });
 }
 
+/// One wave of several may leave more than any other effect would: those that are likely beside it are added while each
+/// leaves clearly less.
+FitResult Adoption::withFurtherWaves(FitResult fit, const Effect& effect) const {
+  for (bool more = true; more && !input_.stop.stop_requested();) {
+    more = false;
+    const std::vector<EffectTerm> terms = fit.model.effects;
+    for (const EffectTerm& term : terms) {
+      if (term.effect != effect.name() || terms.size() >= mostWaves) continue;
+      for (std::vector<double>& wave : effect.besides(valuesOf(term), input_.seen)) {
+        const double left = mean(fit.windowSquares);
+        Pick pick;
+        pick.effect = &effect;
+        pick.parameters = std::move(wave);
+        FitResult both = fits_.fresh(with(input_, fit.model, pick));
+        if (!both.usable || !plausible(both.model, input_.seen) ||
+            mean(both.windowSquares) > limits_.clearlyLess * left)
+          continue;
+        fit = std::move(both);
+        more = true;
+        break;
+      }
+      if (more) break;
+    }
+  }
+  return fit;
+}
+
+void Adoption::addWaves(SearchResult& result) const {
+  for (const Chosen& one : result.chosen) {
+    if (fits_.worth().floors(result.best) <= limits_.settled || remembers(result.best.model)) return;
+    result.best = withFurtherWaves(std::move(result.best), *one.effect);
+  }
+}
+
 void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
-  if (!result.chosen.empty() || fits_.worth().floors(result.base) <= limits_.farOff) return;
+  const double left = mean(result.best.windowSquares);
+  const bool explained = !result.chosen.empty() && left <= limits_.half * mean(result.base.windowSquares);
+  if (explained || fits_.worth().floors(result.best) <= limits_.farOff) return;
   std::vector<Tried> tried = eachAlone(result.base, screen);
   if (tried.size() > mostContinued) tried.resize(mostContinued);
   for (Tried& one : tried) {  // from so far a fit comes to its end late
@@ -117,10 +153,10 @@ void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
       FitResult further = fitModel(input_, one.fit.model, 10);
       if (further.usable && mean(further.windowSquares) < before) one.fit = std::move(further);
     }
+    one.fit = withFurtherWaves(std::move(one.fit), *one.effect);
   }
   std::erase_if(tried, [&](const Tried& one) {
-    return mean(one.fit.windowSquares) > limits_.farLess * mean(result.base.windowSquares) ||
-           !fits_.helps(result.base, one.fit);
+    return mean(one.fit.windowSquares) > limits_.half * left || !fits_.helps(result.base, one.fit);
   });
   if (tried.empty()) return;
   sortByLeft(tried);

@@ -22,9 +22,12 @@ class Adoption {
   const Screening* adopt(SearchResult& result, const Screening& steady);
   /// The first that helps of those that explain most alone, if any does.
   void adoptAlone(SearchResult& result, const Screen& screen) const;
-  /// Where the base is far off and nothing was adopted: of all effects the one by which a simulation errs least, if
-  /// that leaves far less. Along a motion that the base doesn't foresee a regression is misled.
+  /// Where the base is far off and what was adopted explains less than half: of all effects the one by which a
+  /// simulation errs least, if that leaves less than half. Along a motion that the base doesn't foresee a regression is
+  /// misled.
   void adoptBest(SearchResult& result, const Screen& screen) const;
+  /// Further terms that are likely beside those that were chosen, where much is left.
+  void addWaves(SearchResult& result) const;
   /// Where a set leaves much beside what it explains, the larger set that the screen finds if the torque wanders, which
   /// tells waves of several orders better, and that screening; null if that is no better.
   const Screening* extend(SearchResult& result);
@@ -47,6 +50,7 @@ class Adoption {
   };
 
   std::vector<Tried> eachAlone(const FitResult& base, const Screen& screen) const;
+  FitResult withFurtherWaves(FitResult fit, const Effect& effect) const;
   static void sortByLeft(std::vector<Tried>& tried);
   void adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const;
   void adoptLoad(SearchResult& result, const Screen& screen);

@@ -62,15 +62,16 @@ class Search {
     const Screen& first = wandering != nullptr ? wandering->screen : steady.screen;
     const bool asSet = !result.chosen.empty();
     if (!asSet) adoption.adoptAlone(result, first);
+    fromOtherStarts(result, starts);
     backward(result);
     if (asSet && result.chosen.empty()) {  // one of its members may still be right alone, from a start of its own
       adoption.adoptAlone(result, first);
       backward(result);
     }
-    if (result.chosen.empty()) {
-      adoption.adoptBest(result, first);
-      backward(result);
-    }
+    const double before = mean(result.best.windowSquares);
+    adoption.adoptBest(result, first);
+    adoption.addWaves(result);
+    if (mean(result.best.windowSquares) < before) backward(result);
     if (wandering == nullptr) {
       wandering = adoption.extend(result);
       if (wandering != nullptr) backward(result);
@@ -159,6 +160,22 @@ class Search {
     input_.named(effects);
   }
 
+  /// What was found may have been missing so much that the base model has ended in another valley: where much is left,
+  /// each start once more, with it.
+  void fromOtherStarts(SearchResult& result, const std::vector<Model>& starts) const {
+    if (result.chosen.empty() || remembers(result.best.model) || worth().floors(result.best) <= limits().farOff) return;
+    for (const Model& start : starts) {
+      Model model = result.best.model;
+      for (Parameter& one : model.base) {
+        if (const auto value = start.baseValue(one.name)) one.value = *value;
+      }
+      FitResult fit = fitModel(input_, model, 8);
+      if (fit.usable && plausible(fit.model, input_.seen) &&
+          mean(fit.windowSquares) < limits().clearlyLess * mean(result.best.windowSquares))
+        result.best = std::move(fit);
+    }
+  }
+
   /// Held parameters are compared once everything else fits.
   void refine(SearchResult& result) const {
     if (remembers(result.best.model)) return;
@@ -175,9 +192,13 @@ class Search {
       changed = false;
       left_.assign(result.chosen.size(), {});
       for (size_t k = result.chosen.size(); k-- > 0 && !changed;) {
-        FitResult fit = result.chosen.size() == 1
-                            ? result.base
-                            : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
+        FitResult fit = fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
+        if (result.chosen.size() == 1) {  // the effect may have led the base model where it hadn't come to by itself
+          if (fit.usable && mean(fit.windowSquares) < limits().hardlyLess * mean(result.base.windowSquares))
+            result.base = fit;
+          else
+            fit = result.base;
+        }
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = fits_->helps(fit, result.best) && worth().material(fit, result.best);
         if (needed && (isClear(fit, result.best, *result.chosen[k].effect) ||
