@@ -241,8 +241,6 @@ void TestWhere::whatItsIntervalsRefute_isNotWorthSaying() {
   };
   QVERIFY(worthSaying(load(1e-3, 8e-4, 1.2e-3), model, seen, none));
   QVERIFY(!worthSaying(load(1e-3, -8e-4, 3e-3), model, seen, none));  // may be zero
-  QVERIFY(worthSayingIfThere(load(1e-3, -8e-4, 3e-3), model, seen, none));
-  QVERIFY(!worthSayingIfThere(load(0.2, -0.1, 0.5), model, seen, none));
   // Over a minute a quick wander averages out, a slow one may well look like that.
   QVERIFY(worthSaying(load(4e-4, 3e-4, 5e-4), model, seen, quick));
   QVERIFY(!worthSaying(load(4e-4, 3e-4, 5e-4), model, seen, slow));

@@ -88,9 +88,8 @@ std::vector<Parameter> knownParameters(const EffectTerm& term, Axis axis, const 
 
 /// The findings, with shares of the excess that add up to what the extended model takes away.
 std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
-                                double explained, const std::function<bool(const EffectTerm&, bool)>& worth) {
+                                double explained, const std::function<bool(const EffectTerm&)>& worth) {
   double marginals = 0.0;
-  const double left = mean(result.best.windowSquares);
   for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
   std::vector<Finding> findings;
   for (const Chosen& chosen : result.chosen) {
@@ -101,12 +100,9 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
     std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
     if (!terms.empty()) {
-      terms.erase(
-          std::remove_if(terms.begin() + 1, terms.end(), [&](const EffectTerm& one) { return !worth(one, false); }),
-          terms.end());
-      // What happens once may stand for a single window's start: its size has to differ from zero.
-      const bool clear = left < input.criteria.hardlyAny * (left + chosen.marginal) && !chosen.effect->happensOnce();
-      finding.saysSomething = worth(terms.front(), clear);
+      terms.erase(std::remove_if(terms.begin() + 1, terms.end(), [&](const EffectTerm& one) { return !worth(one); }),
+                  terms.end());
+      finding.saysSomething = worth(terms.front());
       const EffectTerm& first = terms.front();
       std::vector<std::vector<double>> further;
       for (size_t k = 1; k < terms.size(); ++k) further.push_back(valuesOf(terms[k]));
@@ -254,11 +250,10 @@ class Judge {
     if (out.rest.share > limits_.half && std::max(explained, fitted) < limits_.half &&
         !(currentToo && changesReadings(out.model)))
       return Opinion::falls;
-    out.findings = findingsOf(candidate, out.model, input_, explained, [&](const EffectTerm& term, bool clear) {
+    out.findings = findingsOf(candidate, out.model, input_, explained, [&](const EffectTerm& term) {
       // A few pushes would explain any wander: they are held against what there is without them.
       const bool once = findEffect(term.effect)->happensOnce();
-      return (clear || !mayBeZero(term)) &&
-             worthSayingIfThere(term, out.model, input_.seen, once ? candidate.leftByBase : out.rest.wander, limits_) &&
+      return worthSaying(term, out.model, input_.seen, once ? candidate.leftByBase : out.rest.wander, limits_) &&
              (!once || isSeen(term));
     });
     out.fit = scoreFit(bench_, base_, out.model, prepared_, out.rest.wander, input_.seed, out.proof);

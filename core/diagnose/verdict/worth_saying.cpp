@@ -47,19 +47,10 @@ bool anotherIsKnown(const EffectTerm& term, Axis axis, const Criteria& criteria)
 
 }  // namespace
 
-bool mayBeZero(const EffectTerm& term) {
-  const Parameter& amplitude = term.parameters.front();
-  return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
-}
-
 bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& seen, const TorqueNoise& left,
                  const Criteria& criteria) {
-  return !mayBeZero(term) && worthSayingIfThere(term, model, seen, left, criteria);
-}
-
-bool worthSayingIfThere(const EffectTerm& term, const Model& model, const Excitation& seen, const TorqueNoise& left,
-                        const Criteria& criteria) {
   const Parameter& amplitude = term.parameters.front();
+  if (amplitude.low95 < 0.0 && amplitude.high95 > 0.0) return false;
   if (!isAtATime(term)) return false;
   if (!isKnown(term, 0, model.axis, criteria) && !anotherIsKnown(term, model.axis, criteria)) return false;
   const auto torque = torqueOf(amplitude.name, amplitude.value, seen);

@@ -7,18 +7,10 @@
 
 namespace breakaway {
 
-/// Whether the interval of its amplitude includes zero.
-bool mayBeZero(const EffectTerm& term);
-
 /// Whether one of the term's figures is known, the amplitude's interval leaves out zero, and its torque is more than
 /// what wanders anyway, `left` (at most mostWander()), and no more than the drive gives.
 bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& seen, const TorqueNoise& left,
                  const Criteria& criteria = {});
-
-/// The same where the error that comes back without it shows that it is there: an interval is a straight line's doubt,
-/// and may include zero all the same.
-bool worthSayingIfThere(const EffectTerm& term, const Model& model, const Excitation& seen, const TorqueNoise& left,
-                        const Criteria& criteria = {});
 
 /// Whether a parameter that can't be negative (a time, a stiffness, a speed) has an interval of less than a factor of
 /// ten. `number`: its place among the term's parameters; what is held, or may be negative, counts as known.
