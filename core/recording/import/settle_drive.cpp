@@ -59,6 +59,7 @@ Result<void> Settling::takeOther(size_t c) {
   if (!filled) return filled.error();
   if (!*filled) return {};
   std::string& to = fates_[c].to;
+  if (const auto told = needLinearUnit(c); !told) return told.error();
   if (setCountsAside(c)) return {};
   if (to == "force_N" && columnOf("torque_Nm") && !columnOf("position_m") && !choices_[c].byMap) {
     keep(c, message("is a force, beside the torque of a motor that turns"));
