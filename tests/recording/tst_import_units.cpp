@@ -25,9 +25,13 @@ static At times(double factor, double (*wave)(double)) {
   return [=](double t_s) { return factor * wave(t_s); };
 }
 
-/// A joint's motion within two rad either way, and one that has nothing to do with it.
+/// A joint's motion within two rad either way, its speed, and a motion that has nothing to do with it.
 static double jointAt(double t_s) {
   return 1.2 * std::sin(2.0 * t_s) + 0.4 * std::sin(5.3 * t_s);
+}
+
+static double rateAt(double t_s) {
+  return 2.4 * std::cos(2.0 * t_s) + 2.12 * std::cos(5.3 * t_s);
 }
 
 static double otherAt(double t_s) {
@@ -66,6 +70,9 @@ class TestImportUnits : public QObject {
   void columnOfSomethingElse_isKept();
   void choiceThatOnlyTheOrderMade_isAGuess();
   void lineOfUnitsAboveTheNames_isUnderstood();
+  void greekLettersWithNumbers_areAxes();
+  void letterWithItsUnit_isTheMotors();
+  void angleOfNobody_yieldsToAnEncoders();
   void dateAndTimeWithABlank_areOneCell();
   void minutesSecondsAndMilliseconds_areATime();
 
@@ -100,6 +107,8 @@ void TestImportUnits::unitThatNoNameTells_isTakenFromWhatTellsIt_data() {
                                     << "deg";
   QTest::newRow("another angle beside it") << "position" << 1.0 << "arm_angle [rad]"
                                            << "rad";
+  QTest::newRow("a lean about an axis tells nothing") << "motor_position" << 1.0 << "angle_x [deg]"
+                                                      << "";
   QTest::newRow("a lean beside it tells nothing") << "position" << 1.0 << "pitch [deg]"
                                                   << "";
   QTest::newRow("a joint doesn't turn so many radians") << "elbow_position" << perRadian_deg << "note"
@@ -141,6 +150,8 @@ void TestImportUnits::unitThatNothingTells_isAskedFor_data() {
   QTest::addColumn<QString>("asks");
   QTest::newRow("an angle") << "angle" << perRadian_deg << "current_A"
                             << "degrees, radians or turns";
+  QTest::newRow("a motor's angle") << "joint.0.motor-pos-fb" << perRadian_deg << "current_A"
+                                   << "degrees, radians or turns";
   QTest::newRow("a small angle needs none") << "angle" << 1.0 << "current_A"
                                             << "";
   QTest::newRow("a fast speed") << "speed" << 1500.0 << "torque_Nm"
@@ -174,6 +185,9 @@ void TestImportUnits::electricalTurnsBesideTheShafts_areKept() {
   QCOMPARE(meaning(*log, "Theta_enc"), std::string("angle_rad"));
   QCOMPARE(meaning(*log, "Omega_enc"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*log, "Omega_EKF"), std::string());
+  const auto plc = logOf(
+      {{"MC_Axis000.Act.Pos", times(perRadian_deg, turnedAt)}, {"MC_Axis000.Act.Vel", times(perRadian_deg, runAt)}});
+  QVERIFY(!plc.ok());
   const auto gear = logOf({{"motor_speed [rpm]", times(5.0 * perRadianPerSecond_rpm, runAt)},
                            {"wheel_speed [rpm]", times(perRadianPerSecond_rpm, runAt)}});
   VERIFY_OK(gear);
@@ -235,6 +249,33 @@ void TestImportUnits::dateAndTimeWithABlank_areOneCell() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "Motor Speed (RPM)"), std::string("velocity_rad_per_s"));
   QCOMPARE(log->recording.time().back(), 49.0);
+}
+
+void TestImportUnits::greekLettersWithNumbers_areAxes() {
+  const auto log = logOf({{"θ1_d(°)", times(perRadian_deg, jointAt)},
+                          {"θ1(°)", times(perRadian_deg, jointAt)},
+                          {"θ2(°)", otherAt},
+                          {"v1(°/s)", times(perRadian_deg, rateAt)},
+                          {"v2(°/s)", otherAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "θ1(°)"), std::string("angle_rad"));
+  QCOMPARE(meaning(*log, "v1(°/s)"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "θ1_d(°)"), std::string("angle_reference_rad"));
+}
+
+void TestImportUnits::letterWithItsUnit_isTheMotors() {
+  const auto log = logOf({{"theta (deg)", jointAt}, {"V_m (V)", otherAt}, {"Te_Nm", otherAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "V_m (V)"), std::string("voltage_V"));
+  QCOMPARE(meaning(*log, "Te_Nm"), std::string("torque_Nm"));
+}
+
+void TestImportUnits::angleOfNobody_yieldsToAnEncoders() {
+  const auto log = logOf({{"angle_x(deg)", otherAt}, {"motor_pos", jointAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "motor_pos"), std::string("angle_rad"));
+  QCOMPARE(meaning(*log, "angle_x(deg)"), std::string());
+  QVERIFY(fateOf(*log, "motor_pos")->guessed);
 }
 
 void TestImportUnits::minutesSecondsAndMilliseconds_areATime() {

@@ -120,7 +120,6 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
     set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", message("so it agrees with the speed"));
     return {};
   }
-  const auto speed = columnOf("velocity_rad_per_s");
   constexpr double manyTurns = 30.0;
   if (areWhole(angle) && rangeOf(angle) >= manyTurns) {
     if (countsBySpeed(c)) {
@@ -139,8 +138,7 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
                          told)};
   }
   if (unitBeside(c)) return {};
-  constexpr double fewTurns_rad = 2.0 * turn_rad;
-  if (!choices_[c].byMap && !speed && rangeOf(angle) > fewTurns_rad)
+  if (mayBeDegrees(c))
     return Error{path_ + ", column " + fate.from,
                  message("nothing tells whether it is in degrees, radians or turns; say it with --map {}",
                          "{\"columns\": {\"" + fate.from + "\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}")};

@@ -30,18 +30,32 @@ bool isBounded(const Words& words) {
   static constexpr auto bounded =
       std::to_array<std::string_view>({"joint", "servo", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
                                        "knee", "ankle", "waist", "head", "neck", "tilt", "jaw", "finger", "thumb"});
-  return firstIn(words, bounded) != nullptr;
+  static constexpr auto endless = std::to_array<std::string_view>({"motor", "mot", "rotor", "wheel"});
+  return firstIn(words, bounded) != nullptr && firstIn(words, endless) == nullptr;
 }
 
 /// ROS' messages of joints: their unit is the radian by convention.
 bool tellsRos(const RawTable& table) {
   return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
     return isIn(wordsOf(column.channel.name, true), "effort") ||
-           lowered(column.channel.name).find("joint_state") != std::string::npos;
+           lowered(column.channel.name).find("joint_state") != std::string::npos ||
+           column.channel.name.find("header.stamp") != std::string::npos;
   });
 }
 
+/// "MC_Axis000.Act.Pos": a PLC's axis is in the units that its user chose.
+bool isPlcAxis(const Words& words) {
+  const bool axis = std::any_of(words.begin(), words.end(), [](const auto& word) { return word.starts_with("axis"); });
+  return axis && (isIn(words, "act") || isIn(words, "nctoplc") || isIn(words, "mc"));
+}
+
 }  // namespace
+
+bool Settling::mayBeDegrees(size_t c) const {
+  constexpr double fewTurns_rad = 2.0 * turn_rad;
+  return !choices_[c].byMap && rangeOf(table_.columns[c].channel.values) > fewTurns_rad &&
+         (!columnOf("velocity_rad_per_s") || isPlcAxis(wordsOf(fates_[c].from, true)));
+}
 
 bool Settling::isOfArm(size_t c) const {
   constexpr size_t fewestJoints = 5;
@@ -56,14 +70,17 @@ bool Settling::isOfArm(size_t c) const {
 }
 
 std::string Settling::familyBeside(size_t c) const {
+  const bool rate = isSpeed(fates_[c].to);
   std::string family;
   for (size_t k = 0; k < fates_.size(); ++k) {
     if (k == c || table_.columns[k].fault) continue;
     const NameParts parts = partsOfName(fates_[k].from, table_.columns[k].unit);
     const bool another = otherThingIn(parts.words) != nullptr ||
                          (firstIn(parts.words, headings) != nullptr && firstIn(parts.words, jointWords) == nullptr);
-    const std::string own = another || parts.factor != 1.0 ? std::string() : familyOf(parts.unit);
-    if (own.empty()) continue;
+    const bool inSpace = parts.words.size() > 1 && parts.words.back().size() == 1 &&
+                         std::string_view("xyz").find(parts.words.back()) != std::string_view::npos;
+    const std::string own = another || inSpace || parts.factor != 1.0 ? std::string() : familyOf(parts.unit);
+    if (own.empty() || (rate && parts.unit->kind == UnitKind::angle)) continue;
     if (!family.empty() && family != own) return {};
     family = own;
   }

@@ -61,8 +61,11 @@ class Settling {
   /// A unit that neither its name nor the motion tells, as a guess: as what stands beside it, as what it follows, as a
   /// joint can turn at all. False where nothing does.
   bool unitBeside(size_t c);
-  /// "deg" where all angles and their rates beside it that tell a unit are in degrees; empty where they don't.
+  /// "deg" where all angles and rates beside an angle, all rates beside a speed, that tell a unit are in degrees; empty
+  /// where they don't.
   std::string familyBeside(size_t c) const;
+  /// An angle without a unit that turns further than twice in radians, and nothing beside it speaks for them.
+  bool mayBeDegrees(size_t c) const;
   /// One of five joints or more that are told apart by numbers.
   bool isOfArm(size_t c) const;
   /// Whether what it shall follow stays at round numbers: multiples of `step`, and beyond `least`.
