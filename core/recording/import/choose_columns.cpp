@@ -17,6 +17,7 @@
 #include "recording/import/names_beside.h"
 #include "recording/import/others_beside.h"
 #include "recording/import/quantity_words.h"
+#include "recording/import/settle_motion.h"
 #include "recording/import/settling.h"
 #include "recording/import/trials.h"
 #include "recording/import/turns_beside.h"
@@ -263,19 +264,6 @@ size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Ch
   return best;
 }
 
-/// The same in other units, or the same again filtered.
-bool areProportional(const std::vector<double>& one, const std::vector<double>& other) {
-  constexpr double alike = 0.95;
-  double both = 0.0, first = 0.0, second = 0.0;
-  for (size_t k = 0; k < one.size(); ++k) {
-    if (!std::isfinite(one[k]) || !std::isfinite(other[k])) continue;
-    both += one[k] * other[k];
-    first += one[k] * one[k];
-    second += other[k] * other[k];
-  }
-  return both >= alike * std::sqrt(first * second);
-}
-
 /// Angles and speeds that don't go with those that would be taken.
 void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   const size_t place = bestFor(table, map, choices, "position_m"),
@@ -328,7 +316,9 @@ void doubtArbitrary(const RawTable& table, const ImportMap& map, std::vector<Cho
     const bool alike = c != best && choices[c].name.to == taken.to && !choices[c].byMap && !choices[c].byTool &&
                        rankOf(table.columns[c], choices[c], map) == rankOf(table.columns[best], choices[best], map);
     if (!alike || ownerOf(table.columns[c].channel.name) == called) continue;
-    if (areProportional(table.columns[best].channel.values, table.columns[c].channel.values)) continue;
+    constexpr double alikeValues = 0.95;  // in another unit, or filtered
+    const auto& own = table.columns[best].channel.values;
+    if (likenessOf(own, table.columns[c].channel.values).correlation >= alikeValues) continue;
     taken.guess = message("{} may be meant as well; only its place decided", table.columns[c].channel.name);
     return;
   }

@@ -247,18 +247,6 @@ bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, 
 
 namespace {
 
-/// How much two columns have in common about zero, whatever their units and signs.
-double alikenessOf(const std::vector<double>& one, const std::vector<double>& other) {
-  double both = 0.0, first = 0.0, second = 0.0;
-  for (size_t k = 0; k < one.size(); ++k) {
-    if (!std::isfinite(one[k]) || !std::isfinite(other[k])) continue;
-    both += one[k] * other[k];
-    first += one[k] * one[k];
-    second += other[k] * other[k];
-  }
-  return first > 0.0 && second > 0.0 ? std::abs(both) / std::sqrt(first * second) : 0.0;
-}
-
 /// Whether one is as fast as the other, whatever their signs and units.
 bool areAsFast(const std::vector<double>& one, const std::vector<double>& other) {
   constexpr double alike = 0.9;
@@ -312,7 +300,7 @@ bool preferMotorsAngle(const RawTable& table, size_t angle, std::vector<Choice>&
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool other = c != angle && choices[c].name.to == "angle_rad" && isMotors(c) && !choices[c].byMap &&
                        rangeOf(table.columns[c].channel.values) > 0.0;
-    if (!other || alikenessOf(changes(angle), changes(c)) > little) continue;
+    if (!other || std::abs(likenessOf(changes(angle), changes(c)).correlation) > little) continue;
     if (firstIn(wordsOf(table.columns[c].channel.name, true), drivenWords) != nullptr) continue;
     setAside(choices[angle], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
     if (choices[c].name.guess.empty()) choices[c].name.guess = message("only its name says that it is the motor's");

@@ -216,6 +216,7 @@ Result<void> Settling::takeSpeed() {
   const auto filled = fillNeed(*c, alone);
   if (!filled) return filled.error();
   if (!*filled) return {};
+  if (fates_[*c].unit.empty()) unitAsRos(*c);
   if (fates_[*c].unit.empty() && angle && !fates_[*angle].unit.empty()) speedByAngle(*c, *angle);
   if (fates_[*c].unit.empty() && is(*c, "velocity_rad_per_s")) {
     if (const auto known = nameSpeedUnit(*c, alone); !known) return known.error();
@@ -315,7 +316,8 @@ void Settling::speedByAngle(size_t c, size_t angle) {
                                {turn_rad / 60.0, "rpm"},
                                {turn_rad, "turns/s"},
                                sameUnit}) {
-    if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
+    constexpr double within = 1.3;  // rows may be far apart
+    if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(within)) continue;
     fates_[c].scale = one.scale;
     fates_[c].unit = one.unit;
     fates_[c].why = message("so it agrees with the angle");

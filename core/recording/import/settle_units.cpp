@@ -101,6 +101,17 @@ bool Settling::followsRoundNumbers(size_t c, const std::string& reference, doubl
   return round && far >= least && goes > far / near && goes < far * near;
 }
 
+bool Settling::unitAsRos(size_t c) {
+  ColumnFate& fate = fates_[c];
+  if (choices_[c].byMap || choices_[c].byTool || !tellsRos(table_)) return false;
+  fate.unit = isAngle(fate.to) ? "rad" : "rad/s";
+  fate.scale = 1.0;
+  fate.why = message("as ROS counts");
+  fate.doubt = fate.why;
+  fate.guessed = true;
+  return true;
+}
+
 bool Settling::unitBeside(size_t c) {
   ColumnFate& fate = fates_[c];
   const bool angle = isAngle(fate.to);
@@ -113,7 +124,7 @@ bool Settling::unitBeside(size_t c) {
     fate.guessed = true;
     return true;
   };
-  if (tellsRos(table_)) return take(angle ? "rad" : "rad/s", message("as ROS counts"));
+  if (unitAsRos(c)) return true;
   const std::string reference = angle ? "angle_reference_rad" : "velocity_reference_rad_per_s";
   const auto shall = columnOf(reference);
   constexpr double near = 2.0;

@@ -61,6 +61,8 @@ class Settling {
   /// A unit that neither its name nor the motion tells, as a guess: as what stands beside it, as what it follows, as a
   /// joint can turn at all. False where nothing does.
   bool unitBeside(size_t c);
+  /// The radian, where messages of ROS tell a motion.
+  bool unitAsRos(size_t c);
   /// "deg" where all angles and rates beside an angle, all rates beside a speed, that tell a unit are in degrees; empty
   /// where they don't.
   std::string familyBeside(size_t c) const;

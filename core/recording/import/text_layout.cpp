@@ -408,7 +408,7 @@ TextLayout layoutOf(const std::vector<std::string_view>& lines) {
     if (labelled && best.layout.cells >= 2) break;
     for (const char separator : {'\t', ';', '|', ',', runsOfBlanks}) {
       // A date and a time of day with a blank between them are one cell.
-      if (separator == runsOfBlanks && best.complete) continue;
+      if (separator == runsOfBlanks && !labelled && best.complete) continue;
       TextLayout layout;
       layout.separator = separator;
       layout.labelled = labelled;

@@ -14,19 +14,6 @@ namespace breakaway {
 
 namespace {
 
-/// How many times as fast the one goes as the other, where they move alike; 0 where they don't.
-double timesAsFast(const std::vector<double>& fast, const std::vector<double>& slow) {
-  constexpr double alike = 0.99;
-  double both = 0.0, fasts = 0.0, slows = 0.0;
-  for (size_t k = 0; k < fast.size(); ++k) {
-    if (!std::isfinite(fast[k]) || !std::isfinite(slow[k])) continue;
-    both += fast[k] * slow[k];
-    fasts += fast[k] * fast[k];
-    slows += slow[k] * slow[k];
-  }
-  return both > alike * std::sqrt(fasts * slows) && slows > 0.0 ? both / slows : 0.0;
-}
-
 /// The changes of an angle from row to row, counted on where it starts anew with each turn.
 std::vector<double> goneBy(std::vector<double> angle) {
   if (const auto period = periodOf(angle, {}, std::nullopt)) unwind(angle, *period, {});
@@ -44,7 +31,7 @@ bool isShafts(const RawColumn& column) {
 }  // namespace
 
 void setElectricalAside(const RawTable& table, std::vector<Choice>& choices) {
-  constexpr double mostPolePairs = 40.0, within = 0.03;
+  constexpr double mostPolePairs = 40.0, within = 0.03, alikeMotion = 0.99;
   constexpr size_t fewestRows = 50, mostColumns = 60;
   if (table.rows() < fewestRows || choices.size() > mostColumns) return;
   const auto isOpen = [&](size_t c) {
@@ -63,8 +50,10 @@ void setElectricalAside(const RawTable& table, std::vector<Choice>& choices) {
         const bool alike = fast != slow && choices[fast].name.to == to && isOpen(fast) &&
                            choices[fast].name.scale == choices[slow].name.scale && !isShafts(table.columns[fast]);
         if (!alike) continue;
-        const double times = timesAsFast(motionOf(fast), own), whole = std::round(times);
-        if (whole < 2.0 || whole > mostPolePairs || std::abs(times / whole - 1.0) > within) continue;
+        const auto [correlation, times] = likenessOf(motionOf(fast), own);
+        const double whole = std::round(times);
+        if (correlation < alikeMotion || whole < 2.0 || whole > mostPolePairs || std::abs(times / whole - 1.0) > within)
+          continue;
         setAside(choices[fast], message("turns {} times as fast as {}, as in electrical turns",
                                         std::to_string(static_cast<int>(whole)), table.columns[slow].channel.name));
       }
