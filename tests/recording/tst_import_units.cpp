@@ -72,6 +72,7 @@ class TestImportUnits : public QObject {
   void lineOfUnitsAboveTheNames_isUnderstood();
   void greekLettersWithNumbers_areAxes();
   void letterWithItsUnit_isTheMotors();
+  void letterBesideAnotherOfThatPath_isASpeed();
   void angleOfNobody_yieldsToAnEncoders();
   void dateAndTimeWithABlank_areOneCell();
   void minutesSecondsAndMilliseconds_areATime();
@@ -205,6 +206,8 @@ void TestImportUnits::columnOfSomethingElse_isKept_data() {
                                        << "torque_total_Nm";
   QTest::newRow("a balance") << QStringList{"motor_rpm", "Aero Torque [Nm]", "Drag Torque [Nm]", "Tail Torque [Nm]"}
                              << "Aero Torque [Nm]";
+  QTest::newRow("a pose") << QStringList{"left_velocity", "right_velocity", "x", "y", "rot"} << "rot";
+  QTest::newRow("a manipulated variable") << QStringList{"sp_deg", "pv_deg", "pv_dps", "mv"} << "mv";
   QTest::newRow("a phase's voltage") << QStringList{"motor_rpm", "output_phase_voltage"} << "output_phase_voltage";
 }
 
@@ -268,6 +271,12 @@ void TestImportUnits::letterWithItsUnit_isTheMotors() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "V_m (V)"), std::string("voltage_V"));
   QCOMPARE(meaning(*log, "Te_Nm"), std::string("torque_Nm"));
+}
+
+void TestImportUnits::letterBesideAnotherOfThatPath_isASpeed() {
+  const auto log = logOf({{"left_joint_0.q", jointAt}, {"left_joint_0.v", rateAt}, {"left_joint_0.tau_meas", otherAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "left_joint_0.v"), std::string("velocity_rad_per_s"));
 }
 
 void TestImportUnits::angleOfNobody_yieldsToAnEncoders() {

@@ -175,8 +175,8 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
     }
   }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
-  static constexpr auto tooShort =
-      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka", "da", "dv"});
+  static constexpr auto tooShort = std::to_array<std::string_view>(
+      {"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka", "da", "dv", "mv"});
   if (isIn(tooShort, parts.words[0]) || quantityNamed(parts.words[0]) != nullptr) return std::nullopt;
   parts.unit = unitOfWords(parts.words, 0);
   if (parts.unit == nullptr) return std::nullopt;

@@ -155,14 +155,20 @@ void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool side = parts.group == "left" || parts.group == "right";
     return side && parts.unit != nullptr && parts.unit->kind == UnitKind::linearVelocity;  // "v_l (ips)"
   });
-  if ((!motors && !wheels) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed)) return;
+  const bool sides = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "velocity_rad_per_s" && (one.name.group == "left" || one.name.group == "right");
+  });
+  if ((!motors && !wheels && !sides) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed))
+    return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const ColumnName& name = choices[c].name;
     const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
     const auto words = wordsOf(table.columns[c].channel.name, true);
     const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
-    const bool heads = placed && name.group.empty() && name.to == "angle_rad" && words[0] == "theta";
-    if (turns && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
+    const bool turned = words[0] == "rot" || words[0] == "rotation";
+    const bool heads = name.group.empty() && name.to == "angle_rad" && (turned || (placed && words[0] == "theta"));
+    const bool ofSide = name.group == "left" || name.group == "right";
+    if (turns && !ofSide && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
       setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
   }
 }
