@@ -179,8 +179,8 @@ void TestImportMotion::quaternionsAndVectors_areNoMotors() {
 }
 
 void TestImportMotion::speedOfSomethingElse_isKept() {
-  const auto log = moving({{"hood_angle", 1, 0, 0},
-                           {"target_hood_angle", 1, 0, 0.1},
+  const auto log = moving({{"hood_angle", 0.3, 0, 0},
+                           {"target_hood_angle", 0.3, 0, 0.1},
                            {"robot_velocity", 0.01, 0, 2},
                            {"target_rpm", 0, 0, 3000}});
   QVERIFY(log.ok());

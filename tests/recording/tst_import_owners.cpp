@@ -244,7 +244,7 @@ void TestImportOwners::unitOfAngles_isToldAboveTheTable_data() {
   QTest::addColumn<bool>("guessed");
   QTest::newRow("in degrees") << "inDegrees=yes" << 1.0 / toDegrees << false;
   QTest::newRow("in radians") << "# All angles are in radians." << 1.0 << false;
-  QTest::newRow("nothing said") << "version=1" << 1.0 << true;
+  QTest::newRow("nothing said") << "version=1" << 1.0 / toDegrees << true;
 }
 
 void TestImportOwners::unitOfAngles_isToldAboveTheTable() {

@@ -17,8 +17,10 @@
 #include "recording/import/names_beside.h"
 #include "recording/import/others_beside.h"
 #include "recording/import/quantity_words.h"
+#include "recording/import/settle_motion.h"
 #include "recording/import/settling.h"
 #include "recording/import/trials.h"
+#include "recording/import/turns_beside.h"
 
 namespace breakaway {
 
@@ -272,9 +274,53 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   for (int k = 0; k < most && again; ++k) {
     const size_t angle = bestFor(table, map, choices, "angle_rad"),
                  speed = bestFor(table, map, choices, "velocity_rad_per_s");
+    if (angle < choices.size() && preferMotorsAngle(table, angle, choices)) continue;
     again = std::max(angle, speed) < choices.size() &&
             (preferMotorsSpeed(table, angle, speed, choices) || setStrangersAside(table, angle, speed, choices) ||
              preferNamesake(table, angle, speed, choices));
+  }
+}
+
+/// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a
+/// balance of torques, say.
+void setBalancesAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  constexpr size_t fewest = 3;
+  for (const std::string_view to : {"torque_Nm", "current_A", "voltage_V", "force_N"}) {
+    const size_t best = bestFor(table, map, choices, std::string(to));
+    if (best == choices.size() || choices[best].byMap || choices[best].byTool || choices[best].name.guess.empty())
+      continue;
+    std::set<Words> called;
+    std::vector<size_t> alike;
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const bool open = choices[c].name.to == to && !choices[c].byMap && !choices[c].byTool &&
+                        !choices[c].name.guess.empty() && choices[c].name.qualified;
+      if (!open || rankOf(table.columns[c], choices[c], map) != rankOf(table.columns[best], choices[best], map))
+        continue;
+      called.insert(ownerOf(table.columns[c].channel.name));
+      alike.push_back(c);
+    }
+    if (called.size() < fewest || std::find(alike.begin(), alike.end(), best) == alike.end()) continue;
+    for (const size_t c : alike) setAside(choices[c], message("is one of several, and no name tells the motor's"));
+  }
+}
+
+/// Where only the order of the columns decided for a motion or a drive, of those that are called by different words and
+/// differ, the choice is a guess.
+void doubtArbitrary(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices, size_t best) {
+  static constexpr auto doubtful = std::to_array<std::string_view>(
+      {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s", "current_A", "torque_Nm", "voltage_V"});
+  ColumnName& taken = choices[best].name;
+  const Words called = ownerOf(table.columns[best].channel.name);
+  if (!isIn(doubtful, taken.to) || choices[best].byMap || choices[best].byTool || !taken.guess.empty()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool alike = c != best && choices[c].name.to == taken.to && !choices[c].byMap && !choices[c].byTool &&
+                       rankOf(table.columns[c], choices[c], map) == rankOf(table.columns[best], choices[best], map);
+    if (!alike || ownerOf(table.columns[c].channel.name) == called) continue;
+    constexpr double alikeValues = 0.95;  // in another unit, or filtered
+    const auto& own = table.columns[best].channel.values;
+    if (likenessOf(own, table.columns[c].channel.values).correlation >= alikeValues) continue;
+    taken.guess = message("{} may be meant as well; only its place decided", table.columns[c].channel.name);
+    return;
   }
 }
 
@@ -294,6 +340,7 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
       byMap = c;
     }
     const size_t best = bestFor(table, map, choices, to);
+    doubtArbitrary(table, map, choices, best);
     for (size_t c = 0; c < choices.size(); ++c) {
       if (c != best && choices[c].name.to == to)
         setAside(choices[c], message("would be a second {}, beside {}", to, table.columns[best].channel.name));
@@ -380,6 +427,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeAnglesByValues(table, choices);
   takeMotionByValues(table, choices);
   takeJointsAlone(table, choices);
+  setElectricalAside(table, choices);
   preferDriven(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
@@ -388,6 +436,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
       setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
   dropStrangers(table, map, choices);
+  setBalancesAside(table, map, choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   setOthersAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {

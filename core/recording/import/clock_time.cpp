@@ -154,6 +154,15 @@ std::optional<ClockTime> readClock(std::string_view text) {
   if (parts[0] < 0 || !reading.take(':')) return std::nullopt;
   parts[1] = reading.digits(2, 2);
   if (parts[1] < 0 || parts[1] > 59) return std::nullopt;
+  Reading thousandths = reading;  // "01:07:040": minutes, seconds, milliseconds
+  if (!time.dated && thousandths.take(':')) {
+    const int64_t count_ms = thousandths.digits(3, 3);
+    if (count_ms >= 0 && thousandths.atEnd()) {
+      time.whole_s += parts[0] * 60 + parts[1];
+      time.fraction_s = 1e-3 * static_cast<double>(count_ms);
+      return time;
+    }
+  }
   const bool seconds = reading.take(':');
   if (seconds) parts[2] = reading.digits(2, 2);
   if (seconds && (parts[2] < 0 || parts[2] > 60)) return std::nullopt;

@@ -62,6 +62,12 @@ FoundName quantityOfUnit(const Words& words, UnitKind unit, FoundName found) {
     const Word* word = quantityNamed(words[k]);
     if (word != nullptr && !word->weak && fits(unit, word->kind)) found = {word, k};
   }
+  if (found.word != nullptr && found.word->weak && !fits(unit, found.word->kind)) {  // "V_m (V)"
+    for (size_t k = 0; k < words.size(); ++k) {
+      const Word* word = quantityNamed(words[k]);
+      if (word != nullptr && word->weak && fits(unit, word->kind)) found = {word, k};
+    }
+  }
   return found;
 }
 
@@ -262,6 +268,8 @@ Message notMeant(const NameReading& name) {
     const bool incoming = name.kind == UnitKind::current && name.has("in") && !name.has("motor");
     const bool supply = name.supplyWord || incoming;
     if (auto why = notTheMotors(name.kind, withoutWord(parts.words, name.found.at), supply); !why.empty()) return why;
+    const bool amount = name.kind == UnitKind::voltage && name.has("phase") && !name.has("q") && !name.has("uq");
+    if (amount) return message("is one phase's");
   }
   static constexpr auto durations = std::to_array<std::string_view>(
       {"pwm", "duty", "pulse", "rise", "settling", "response", "reaction", "execution", "charge", "charging"});

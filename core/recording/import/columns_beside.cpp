@@ -223,10 +223,31 @@ void setTextsAside(const RawTable& table, std::vector<Choice>& choices) {
   };
   for (size_t c = 0; c < choices.size(); ++c) {
     if (!table.columns[c].fault || !choices[c].name.understood() || choices[c].byMap || holdsNumbers(c)) continue;
-    bool other = false;
+    // A time or a motion is asked for rather than missed.
+    static constexpr auto needed = std::to_array<std::string_view>(
+        {"time_s", "angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"});
+    bool other = !isIn(needed, choices[c].name.to);
     for (size_t k = 0; k < choices.size(); ++k)
       other = other || (k != c && choices[k].name.to == choices[c].name.to && holdsNumbers(k));
     if (other) setAside(choices[c], message("holds text"));
+  }
+}
+
+/// "total_torque" beside the speeds of two rotors is that of both.
+void setSumsAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto sums = std::to_array<std::string_view>({"total", "combined", "overall", "net", "gesamt"});
+  std::set<std::string> axes;
+  for (const Choice& one : choices) {
+    if (one.name.to == "velocity_rad_per_s" || one.name.to == "angle_rad") axes.insert(one.name.group);
+  }
+  axes.erase("");
+  if (axes.size() < 2) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& to = choices[c].name.to;
+    const bool drives = to == "torque_Nm" || to == "force_N" || to == "current_A";
+    if (!drives || !choices[c].name.group.empty() || choices[c].byMap || choices[c].byTool) continue;
+    if (firstIn(wordsOf(table.columns[c].channel.name, true), sums) != nullptr)
+      setAside(choices[c], message("is that of all motors together"));
   }
 }
 
@@ -250,11 +271,14 @@ void setAside(Choice& choice, Message why) {
 
 void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPhasesAside(table, choices);
+  setSumsAside(table, choices);
   setEmptyAside(table, choices);
   setTextsAside(table, choices);
   setVectorsAside(table, choices);
   setVehiclesSpeedAside(table, choices);
+  setPlanesAside(table, choices);
   setTiltAside(table, choices);
+  setHangingAside(table, choices);
   preferWheelsAndCarts(table, choices);
   setPidTermsAside(table, choices);
   setSupplysCurrentAside(table, choices);

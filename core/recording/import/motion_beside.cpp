@@ -206,6 +206,7 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
 void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto joints = std::to_array<std::string_view>(
       {"joint", "joints", "wrist", "forearm", "elbow", "shoulder", "hip", "knee", "ankle", "waist"});
+  static constexpr auto sides = std::to_array<std::string_view>({"l", "r", "left", "right"});
   static constexpr auto learners = std::to_array<std::string_view>({"observation", "action"});
   constexpr double farthest_rad = 4.0 * std::numbers::pi;  // no joint turns further
   for (const Choice& one : choices) {
@@ -218,8 +219,9 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
     const std::string* joint = firstIn(parts.words, joints);
     const bool alone = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
       return isIn(joints, word) || isIn(decorations, word) || isIn(referenceWords, word) || isIn(learners, word) ||
-             isIn(headings, word);  // "LHipPitch"
+             isIn(headings, word) || isIn(sides, word);  // "LHipPitch"
     });
+    const std::string* side = firstIn(parts.words, sides);
     const std::string* heading = firstIn(parts.words, headings);
     const bool angle = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::angle;
     const bool open = !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !column.fault;
@@ -227,7 +229,8 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
     const bool reference = firstIn(parts.words, referenceWords) != nullptr || isIn(parts.words, "action");
     const bool degrees = parts.unit == nullptr && rangeOf(column.channel.values) > farthest_rad;
     choices[c].name = understandName(reference ? "angle_cmd" : "angle", degrees ? "deg" : parts.unitText);
-    choices[c].name.group = *joint + parts.group + (heading == nullptr ? "" : *heading);
+    choices[c].name.group =
+        (side == nullptr ? "" : *side) + *joint + parts.group + (heading == nullptr ? "" : *heading);
     choices[c].name.guess = message("it is called by a joint alone, and nothing else tells a motion");
   }
 }
@@ -274,6 +277,33 @@ bool preferMotorsSpeed(const RawTable& table, size_t angle, size_t speed, std::v
     if (areAsFast(table.columns[speed].channel.values, table.columns[c].channel.values)) continue;
     for (const size_t other : {angle, speed})
       setAside(choices[other], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
+    return true;
+  }
+  return false;
+}
+
+bool preferMotorsAngle(const RawTable& table, size_t angle, std::vector<Choice>& choices) {
+  constexpr double little = 0.6;
+  static constexpr auto own = std::to_array<std::string_view>({"motor", "mot", "rotor", "shaft", "servo", "encoder"});
+  const auto isMotors = [&table](size_t c) {
+    const Words words = wordsOf(table.columns[c].channel.name, true);
+    return firstIn(words, own) != nullptr ||
+           std::any_of(words.begin(), words.end(), [](const std::string& one) { return one.starts_with("enc"); });
+  };
+  if (choices[angle].byMap || choices[angle].byTool || isMotors(angle)) return false;
+  if (firstIn(wordsOf(table.columns[angle].channel.name, true), jointWords) != nullptr) return false;
+  const auto changes = [&table](size_t c) {
+    std::vector<double> gone = table.columns[c].channel.values;
+    if (const auto period = periodOf(gone, {}, std::nullopt)) unwind(gone, *period, {});
+    return changesOf(gone);
+  };
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool other = c != angle && choices[c].name.to == "angle_rad" && isMotors(c) && !choices[c].byMap &&
+                       rangeOf(table.columns[c].channel.values) > 0.0;
+    if (!other || std::abs(likenessOf(changes(angle), changes(c)).correlation) > little) continue;
+    if (firstIn(wordsOf(table.columns[c].channel.name, true), drivenWords) != nullptr) continue;
+    setAside(choices[angle], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
+    if (choices[c].name.guess.empty()) choices[c].name.guess = message("only its name says that it is the motor's");
     return true;
   }
   return false;

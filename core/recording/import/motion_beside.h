@@ -8,6 +8,11 @@
 
 namespace breakaway {
 
+/// Where the angle that would be taken says nothing of whose it is and moves otherwise than another one, which is
+/// called a motor's or an encoder's, it is how something leans or heads: it is set aside, and the other one a guess.
+/// Whether it was.
+bool preferMotorsAngle(const RawTable& table, size_t angle, std::vector<Choice>& choices);
+
 /// Where angle and speed say nothing of whose they are, and another speed, in a unit of its own, is called a motor's or
 /// a wheel's and moves otherwise, they are how something leans that it drives: they are set aside. False where nothing
 /// is to be done.

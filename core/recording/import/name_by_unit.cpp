@@ -124,6 +124,9 @@ ColumnName nameByUnit(const NameParts& parts) {
   plain = plain && (!loops || reference);                            // "MCU target (deg)", but not "PID (deg)"
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
   if (kind == UnitKind::voltage && supply) return supplyOf(parts);
+  if (kind == UnitKind::voltage && parts.words.size() == 2 && isSingleLetter(parts.words[0], "uv") &&
+      parts.words[1] == "m")  // "V_m (V)"
+    return nameTaken(parts, contractName(kind, reference), 2);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {
     if (const auto why = notTheMotors(kind, parts.words, supply); !why.empty()) return nameAside(why, parts);
     const bool letter =
@@ -131,12 +134,14 @@ ColumnName nameByUnit(const NameParts& parts) {
     if (motors || letter) return nameTaken(parts, contractName(kind, reference), 2);
     return nameThatSaysNothing(parts);
   }
-  // "M [Nm]", "M_Mot [Nm]"
-  const bool letter =
-      !parts.words.empty() && isSingleLetter(parts.words[0], "mt") &&
-      std::all_of(parts.words.begin() + 1, parts.words.end(), [](const std::string& word) {
-        return word.size() > 1 && (isIn(decorations, word) || isIn(jointWords, word) || isIn(referenceWords, word));
-      });
+  // "M [Nm]", "M_Mot [Nm]", "Te_Nm"
+  static constexpr auto symbols = std::to_array<std::string_view>({"te", "tem", "tel", "tm", "tmot"});
+  const bool symbol = parts.words.size() == 1 && isIn(symbols, parts.words[0]);
+  const bool letter = symbol || (!parts.words.empty() && isSingleLetter(parts.words[0], "mt") &&
+                                 std::all_of(parts.words.begin() + 1, parts.words.end(), [](const std::string& word) {
+                                   return word.size() > 1 && (isIn(decorations, word) || isIn(jointWords, word) ||
+                                                              isIn(referenceWords, word));
+                                 }));
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
                       (kind == UnitKind::angle && plain) || (kind == UnitKind::torque && letter);
   if (letter && kind == UnitKind::torque && parts.group == "left")
@@ -170,8 +175,8 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
     }
   }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
-  static constexpr auto tooShort =
-      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka", "da", "dv"});
+  static constexpr auto tooShort = std::to_array<std::string_view>(
+      {"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka", "da", "dv", "mv"});
   if (isIn(tooShort, parts.words[0]) || quantityNamed(parts.words[0]) != nullptr) return std::nullopt;
   parts.unit = unitOfWords(parts.words, 0);
   if (parts.unit == nullptr) return std::nullopt;

@@ -192,7 +192,16 @@ void dropChannel(Words& words) {
   }
 }
 
-void takeGroup(Words& words, std::string& group) {
+/// "v1" in °/s is the speed of axis 1, "m2" in Nm a torque of axis 2.
+bool isQuantityOf(const std::string& letterAndNumber, const Unit* unit) {
+  const std::string_view letters = unit == nullptr                           ? ""
+                                   : unit->kind == UnitKind::angularVelocity ? "vwn"
+                                   : unit->kind == UnitKind::torque          ? "tm"
+                                                                             : "";
+  return letters.find(letterAndNumber[0]) != std::string_view::npos;
+}
+
+void takeGroup(Words& words, std::string& group, const Unit* unit) {
   Words kept;
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return isNumber(word) && word.size() > 2;  // "trs605-5": a sensor's name, not an axis
@@ -214,9 +223,13 @@ void takeGroup(Words& words, std::string& group) {
     const bool side = isSide(word) && (word.size() > 1 || (k > 0 && onlyReferenceFollows(words, k)));  // "rpm_l_ref"
     const bool joint = axis && (word[0] == 'j' || word[0] == 'a');  // "tau_J1" is of the axis of "dq1"
     const bool angle = axis && word[0] == 'q' && own == 1;          // "q1", "q1_ref"
+    const bool quantity = axis && own == 1 && isQuantityOf(word, unit);
     if (!model && (isNumber(word) || axis || side))
-      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : side ? sideNamed(word) : word);
+      group += (group.empty() ? "" : ".") + (joint || angle || quantity ? word.substr(1)
+                                             : side                     ? sideNamed(word)
+                                                                        : word);
     if (angle) kept.emplace_back("q");
+    if (quantity) kept.push_back(word.substr(0, 1));
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
   words = std::move(kept);
@@ -389,7 +402,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   parts.plain = wordsOf(text, false);
   partWords(parts.words);
   dropChannel(parts.words);
-  takeGroup(parts.words, parts.group);
+  takeGroup(parts.words, parts.group, parts.unit);
   if (!labels.empty()) parts.group += (parts.group.empty() ? "" : ".") + labels;
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -43,6 +43,19 @@ void partEnglish(Words& words) {
   }
 }
 
+/// "LHip" is the left one.
+void partSides(Words& words) {
+  static constexpr auto joints =
+      std::to_array<std::string_view>({"hip", "knee", "ankle", "shoulder", "elbow", "wrist", "hand", "arm", "leg"});
+  for (size_t k = 0; k < words.size(); ++k) {
+    if (words[k].size() < 4 || !isIn(joints, std::string_view(words[k]).substr(1))) continue;
+    const char side = words[k][0];
+    if (side != 'l' && side != 'r') continue;
+    words[k].erase(0, 1);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k), side == 'l' ? "left" : "right");
+  }
+}
+
 /// "FPOS" is a feedback, "RVEL" a reference, as some drives call them; "iqf" is filtered.
 void partLetters(Words& words) {
   static constexpr auto whole = std::to_array<std::array<std::string_view, 3>>({{"fpos", "feedback", "pos"},
@@ -226,6 +239,7 @@ void partWords(Words& words) {
   partGapless(words);
   translate(words);
   partCompounds(words);
+  partSides(words);
   partEnglish(words);
   partLetters(words);
   partSupplies(words);

@@ -63,7 +63,8 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
     const size_t mark = path.size() < 2 ? std::string::npos : path.find_last_of("/.", path.size() - 2);
     return path.substr(mark == std::string::npos ? 0 : mark + 1);
   };
-  std::set<std::string> known, folders;
+  std::set<std::string> known, folders, names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
   for (size_t c = 0; c < choices.size(); ++c) {
     if (!choices[c].name.understood() || choices[c].name.to == "time_s") continue;
     known.insert(pathOf(c));
@@ -79,8 +80,9 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
     if (!joints && !known.contains(whose) && !goal) continue;
     if (otherThingIn(path.words) != nullptr || path.unit != nullptr) continue;
     const bool wanted = firstIn(path.words, referenceWords) != nullptr;
-    ColumnName own = understandName(table.columns[c].channel.name.substr(whose.size()) + (wanted ? "_cmd" : ""),
-                                    table.columns[c].unit);
+    const bool speed = words == Words{"v"} && names.contains(whose + "q");  // "joint_0.v" beside "joint_0.q"
+    const std::string last = speed ? "velocity" : table.columns[c].channel.name.substr(whose.size());
+    ColumnName own = understandName(last + (wanted ? "_cmd" : ""), table.columns[c].unit);
     if (!own.understood()) continue;
     own.group = path.group + (path.group.empty() || own.group.empty() ? "" : ".") + own.group;
     choices[c].name = own;

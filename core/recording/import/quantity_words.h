@@ -34,9 +34,9 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "指令",      "期望",      "consigne", "consigna", "referencia", "riferimento", "objetivo", "alvo",     "cible",
      "zadana",    "vorgabe",   "指令値",   "目標値",   "目标值",     "设定值",      "設定値",   "给定值"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus",    "vbus",  "vdc", "dc",   "battery",  "batt", "bat",   "vbat", "vbatt",
-     "vin",    "dclink", "input", "bms", "pack", "esc",      "psu",  "dcbus", "udc",  "udcb",
-     "udcbus", "vdcbus", "uzk",   "zk",  "hv",   "traction", "母线", "母線",  "电源", "电池"});
+    {"supply", "bus",   "vbus", "vdc",  "dc",       "battery", "batt",  "bat",  "vbat", "vbatt",  "vin",
+     "dclink", "input", "bms",  "pack", "esc",      "psu",     "dcbus", "udc",  "udcb", "udcbus", "vdcbus",
+     "vfas",   "uzk",   "zk",   "hv",   "traction", "母线",    "母線",  "电源", "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",   "act",        "measured",  "meas",       "measurement", "present",   "motor",    "mot",
@@ -90,10 +90,9 @@ inline constexpr auto otherSources = std::to_array<std::string_view>(
     {"throttle", "brake", "pedal", "accelerator", "apps", "mppt", "solar", "panel", "pv", "charger", "pot",
      "potentiometer", "hall", "cell", "logic", "usb", "shunt", "light", "lights"});
 inline constexpr auto driverWords = std::to_array<std::string_view>(
-    {"fet",     "mos",      "mosfet", "driver", "controller", "mcu",     "board",  "ambient",
-     "esc",     "ctrl",     "drv",    "inv",    "bms",        "pack",    "cell",   "battery",
-     "coolant", "oil",      "water",  "air",    "intake",     "exhaust", "engine", "room",
-     "charger", "inverter", "cpu",    "bridge", "encoder",    "pcb",     "baro",   "imu"});
+    {"fet",    "mos",  "mosfet",  "driver",   "controller", "mcu",      "board",  "ambient", "esc", "ctrl",   "drv",
+     "inv",    "bms",  "pack",    "cell",     "battery",    "coolant",  "oil",    "water",   "air", "intake", "exhaust",
+     "engine", "room", "charger", "inverter", "cpu",        "heatsink", "bridge", "encoder", "pcb", "baro",   "imu"});
 /// Motion counted in electrical turns.
 inline constexpr auto electricalWords =
     std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch", "电", "電", "电气", "電気"});

@@ -21,7 +21,7 @@ Result<void> Settling::takeAngle() {
   auto& angle = values(*c);
   const auto speed = columnOf("velocity_rad_per_s");
   const bool counts = choices_[*c].name.needs == UnitNeeds::countsPerRev && !choices_[*c].byMap;
-  if (counts && rangeOf(angle) == 0.0 && speed && rangeOf(values(*speed)) > 0.0) {
+  if (!choices_[*c].byMap && rangeOf(angle) == 0.0 && speed && rangeOf(values(*speed)) > 0.0) {
     keep(*c, message("never changes although the speed does"));
     return {};
   }
@@ -92,8 +92,13 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
     fate.why = std::move(why);
     fate.guessed = true;
   };
-  if (map_.counts_per_rev && areWhole(angle)) {
-    set(turn_rad / *map_.counts_per_rev, "counts", message("whole numbers, with the map's counts per turn"));
+  const Words named = wordsOf(fate.from, true);
+  const bool encoder =
+      std::any_of(named.begin(), named.end(), [](const std::string& word) { return word.starts_with("enc"); });
+  if (map_.counts_per_rev && (areWhole(angle) || encoder)) {
+    set(turn_rad / *map_.counts_per_rev, "counts",
+        areWhole(angle) ? message("whole numbers, with the map's counts per turn")
+                        : message("an encoder's, with the map's counts per turn"));
     return {};
   }
   if (const auto told = toldAngleUnit(table_)) {
@@ -132,6 +137,11 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
                : message("holds whole numbers and no unit; say how many are one turn, with --map {}, or name its unit",
                          told)};
   }
+  if (unitBeside(c)) return {};
+  if (mayBeDegrees(c))
+    return Error{path_ + ", column " + fate.from,
+                 message("nothing tells whether it is in degrees, radians or turns; say it with --map {}",
+                         "{\"columns\": {\"" + fate.from + "\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}")};
   fate.why = message("by its name, which tells no unit");
   return {};
 }
@@ -206,6 +216,7 @@ Result<void> Settling::takeSpeed() {
   const auto filled = fillNeed(*c, alone);
   if (!filled) return filled.error();
   if (!*filled) return {};
+  if (fates_[*c].unit.empty()) unitAsRos(*c);
   if (fates_[*c].unit.empty() && angle && !fates_[*angle].unit.empty()) speedByAngle(*c, *angle);
   if (fates_[*c].unit.empty() && is(*c, "velocity_rad_per_s")) {
     if (const auto known = nameSpeedUnit(*c, alone); !known) return known.error();
@@ -272,14 +283,21 @@ Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
     fate.guessed = true;
     return {};
   }
+  if (alone && unitBeside(c)) return {};
   if (alone && !choices_[c].byMap && tellsVehiclesWay(table_) &&
       firstIn(wordsOf(fate.from, true), jointWords) == nullptr)
     return Error{
         path_ + ", column " + fate.from,
         message("may be a vehicle's speed, and nothing tells its unit; say it with --map {}",
                 "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_m_per_s\", \"scale\": 0.277778}}}")};
-  constexpr double manyRadians_per_s = 30.0;
-  if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
+  constexpr double manyRadians_per_s = 30.0, fastRadians_per_s = 1000.0;
+  const bool whole = areWhole(values(c));
+  if (!alone || choices_[c].byMap || largest(values(c)) < (whole ? manyRadians_per_s : fastRadians_per_s)) return {};
+  const std::string told =
+      "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}";
+  if (!whole)
+    return Error{path_ + ", column " + fate.from,
+                 message("goes up to {} and tells no unit; say it with --map {}", shortText(largest(values(c))), told)};
   return Error{path_ + ", column " + fate.from,
                message("holds whole numbers and no unit; say it with --map {}",
                        "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}")};
@@ -298,7 +316,8 @@ void Settling::speedByAngle(size_t c, size_t angle) {
                                {turn_rad / 60.0, "rpm"},
                                {turn_rad, "turns/s"},
                                sameUnit}) {
-    if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
+    constexpr double within = 1.3;  // rows may be far apart
+    if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(within)) continue;
     fates_[c].scale = one.scale;
     fates_[c].unit = one.unit;
     fates_[c].why = message("so it agrees with the angle");

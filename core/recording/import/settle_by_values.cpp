@@ -140,6 +140,8 @@ void Settling::takeDrivesByValues() {
       const auto isOf = [&parts](const auto& words) { return firstIn(parts.words, words) != nullptr; };
       const bool another = isOf(otherThings) || isOf(loadWords) || isOf(supplyWords) || isOf(referenceWords) ||
                            isOf(drivenWords) || !notTheMotors(kind, parts.words, false).empty();
+      constexpr double manyCounts = 60.0;  // a converter's
+      if (areWhole(values(c)) && largest(values(c)) > manyCounts) continue;
       if (another || saidBy(spansOf(time_.time_s, moved, values(c), time_.pauses)) < enough) continue;
       found = c;
       ++count;

@@ -59,6 +59,7 @@ Result<void> Settling::takeOther(size_t c) {
   if (!filled) return filled.error();
   if (!*filled) return {};
   std::string& to = fates_[c].to;
+  if (const auto told = needLinearUnit(c); !told) return told.error();
   if (setCountsAside(c)) return {};
   if (to == "force_N" && columnOf("torque_Nm") && !columnOf("position_m") && !choices_[c].byMap) {
     keep(c, message("is a force, beside the torque of a motor that turns"));
@@ -139,9 +140,21 @@ void Settling::settleSupply() {
 void Settling::settleVoltage() {
   settleSupply();
   const auto c = columnOf("voltage_V");
+  const auto told = columnOf("current_A");
+  if (!c && told && !fates_[*told].guessed && columnOf("supply_V") && !columnOf("torque_Nm") &&
+      !goesBelowZero("current_A"))
+    doubtCurrent();
   if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
   for (const std::string& word : wordsOf(fates_[*c].from, true)) {
     if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
+  }
+  const auto named = wordsOf(fates_[*c].from, true);
+  const bool amount = isIn(named, "output") && columnOf("supply_V") && largest(values(*c)) > 0.0 &&
+                      std::none_of(values(*c).begin(), values(*c).end(), [](double v) { return v < 0.0; });
+  if (amount && !fates_[*c].guessed) {  // of an inverter
+    fates_[*c].guessed = true;
+    fates_[*c].why = message("it may be the amount of an alternating voltage");
+    fates_[*c].doubt = fates_[*c].why;
   }
   if (!hardlyChanges(values(*c)) || setCountsAside(*c)) return;
   const auto speed = columnOf("velocity_rad_per_s");

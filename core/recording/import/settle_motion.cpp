@@ -136,6 +136,18 @@ std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, con
   return MotionFactor{both / speeds, both / std::sqrt(speeds * angles)};
 }
 
+Likeness likenessOf(const std::vector<double>& one, const std::vector<double>& other) {
+  double both = 0.0, first = 0.0, second = 0.0;
+  for (size_t k = 0; k < one.size(); ++k) {
+    if (!std::isfinite(one[k]) || !std::isfinite(other[k])) continue;
+    both += one[k] * other[k];
+    first += one[k] * one[k];
+    second += other[k] * other[k];
+  }
+  if (!(first > 0.0) || !(second > 0.0)) return {};
+  return {both / std::sqrt(first * second), both / second};
+}
+
 double variesAlike(const std::vector<double>& angle, const std::vector<double>& speed) {
   const size_t stride = std::max<size_t>(1, std::min<size_t>(10, angle.size() / 20));
   std::vector<double> ways, speeds;

@@ -29,6 +29,13 @@ struct MotionFactor {
 std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, const std::vector<double>& angle,
                                           const std::vector<double>& speed, const std::vector<size_t>& pauses);
 
+/// What two columns have in common about zero (−1 to 1), and how many times as large the first is; rows in which one is
+/// missing don't count. Zeros where one rests.
+struct Likeness {
+  double correlation = 0.0, times = 0.0;
+};
+Likeness likenessOf(const std::vector<double>& one, const std::vector<double>& other);
+
 /// How much the angle's changes and the speed, with rows evenly apart, vary alike about their means (−1 to 1): what
 /// only goes up, as a meter or a row's number does, has nothing in common with a speed that doesn't change its sign.
 double variesAlike(const std::vector<double>& angle, const std::vector<double>& speed);

@@ -58,6 +58,20 @@ class Settling {
   void unwindBy(std::vector<double>& angle, double period, bool whole);
   /// A unit for an angle whose name tells none.
   Result<void> nameUnit(size_t c, const std::optional<double>& period);
+  /// A unit that neither its name nor the motion tells, as a guess: as what stands beside it, as what it follows, as a
+  /// joint can turn at all. False where nothing does.
+  bool unitBeside(size_t c);
+  /// The radian, where messages of ROS tell a motion.
+  bool unitAsRos(size_t c);
+  /// "deg" where all angles and rates beside an angle, all rates beside a speed, that tell a unit are in degrees; empty
+  /// where they don't.
+  std::string familyBeside(size_t c) const;
+  /// An angle without a unit that turns further than twice in radians, and nothing beside it speaks for them.
+  bool mayBeDegrees(size_t c) const;
+  /// One of five joints or more that are told apart by numbers.
+  bool isOfArm(size_t c) const;
+  /// Whether what it shall follow stays at round numbers: multiples of `step`, and beyond `least`.
+  bool followsRoundNumbers(size_t c, const std::string& reference, double step, double least);
   /// By the speed, if that tells its unit: an angle in rad, deg or turns.
   std::optional<double> scaleBySpeed(size_t c);
   std::optional<MotionFactor> motionOf(size_t angle, size_t speed);
@@ -80,6 +94,8 @@ class Settling {
   Result<void> takeDuty();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
+  /// A position or a way per second that is nothing's in metres, and no unit is told.
+  Result<void> needLinearUnit(size_t c) const;
   /// References without a unit are counted as what was measured is, or so that they go about as far; one that does so
   /// in no unit stays unused.
   void takeReferenceUnit(size_t c);

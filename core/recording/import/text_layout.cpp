@@ -208,6 +208,7 @@ void splitPlain(std::string_view line, char separator, std::vector<std::string_v
 struct Trial {
   TextLayout layout;
   double score = 0.0;
+  bool complete = false;  ///< each line holds nothing but numbers and times
 };
 
 /// Which mark the decimals have. One that stands only before groups of three digits, where the other one doesn't, parts
@@ -240,6 +241,7 @@ Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
   TextNumber number;
   if (!layout.labelled) findMarks(lines, layout);
   std::map<size_t, double> scores;
+  std::map<size_t, size_t> whole;  // lines that hold nothing but numbers and times
   for (const std::string_view line : lines) {
     splitCells(line, layout, cells);
     const bool parted =
@@ -254,6 +256,7 @@ Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
       filled += cell.empty() ? 0 : 1;
     }
     if (numbers == 0 || 2 * numbers < filled) continue;
+    if (numbers == filled) ++whole[cells.size()];
     const auto count = static_cast<double>(numbers);
     scores[cells.size()] += count * count / static_cast<double>(filled);
   }
@@ -263,6 +266,8 @@ Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
     trial.score = score;
     trial.layout.cells = size;
   }
+  trial.complete = trial.layout.cells > 1 && whole.contains(trial.layout.cells) &&
+                   10 * whole.at(trial.layout.cells) >= 9 * lines.size();
   return trial;
 }
 
@@ -402,6 +407,8 @@ TextLayout layoutOf(const std::vector<std::string_view>& lines) {
   for (const bool labelled : {false, true}) {
     if (labelled && best.layout.cells >= 2) break;
     for (const char separator : {'\t', ';', '|', ',', runsOfBlanks}) {
+      // A date and a time of day with a blank between them are one cell.
+      if (separator == runsOfBlanks && !labelled && best.complete) continue;
       TextLayout layout;
       layout.separator = separator;
       layout.labelled = labelled;

@@ -200,6 +200,13 @@ bool areUnitsWithOnes(const Cells& cells, const TextLayout& layout) {
   return units > 1;
 }
 
+/// A line of nothing but units, above one that names at most one thing by a unit.
+bool unitsStandAbove(const Cells& above, const Cells& names) {
+  constexpr size_t fewest = 3;
+  const auto filled = above.size() - static_cast<size_t>(std::count(above.begin(), above.end(), std::string_view{}));
+  return filled >= fewest && countOf(above, isUnitCell) == filled && countOf(names, isUnitCell) <= 1;
+}
+
 /// "X,Y,X,Y": each signal has a column of times and one of values.
 bool arePairs(const Cells& cells) {
   if (cells.size() < 2 || cells.size() % 2 != 0) return false;
@@ -260,6 +267,11 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
                         filled == static_cast<size_t>(std::count(last.begin(), last.end(), *first));
   if (property) {
     fill(above, found);
+    return;
+  }
+  if (unitsStandAbove(above, last)) {
+    fill(last, found);
+    for (size_t c = 0; c < above.size(); ++c) found.units[c] = std::string(withoutBrackets(withoutUnitWord(above[c])));
     return;
   }
   const bool areUnits = !above.empty() && (withOnes || units > names || units == filled || (aboveIsText && names == 0));

@@ -92,6 +92,9 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
   };
   const auto isLower = [&text](size_t k) { return k < text.size() && std::islower((unsigned char)text[k]) != 0; };
   const auto isUpper = [&text](size_t k) { return k < text.size() && std::isupper((unsigned char)text[k]) != 0; };
+  const auto isGreek = [&text](size_t k) {  // its two bytes end at k
+    return k > 0 && ((unsigned char)text[k - 1] == 0xCEU || (unsigned char)text[k - 1] == 0xCFU);
+  };
   const auto isDigit = [&text](size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
   for (size_t k = 0; k < text.size(); ++k) {
     const std::string_view rest = text.substr(k);
@@ -126,7 +129,7 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
       const bool lastOfCapitals = splitCamel && word.size() > 2 && isUpper(k) && isUpper(k - 1) && isLower(k + 1) &&
                                   isLower(k + 2);  // "RPMmotor" stays, "MotorPWMValue" parts
       const bool number = splitCamel && k > 0 && !word.empty() && isDigit(k) != isDigit(k - 1) && word.size() >= 2 &&
-                          std::isalnum((unsigned char)text[k - 1]) != 0;
+                          (std::isalnum((unsigned char)text[k - 1]) != 0 || isGreek(k - 1));  // "θ1"
       if (hump || lastOfCapitals || number) close();
       word += static_cast<char>(std::tolower(c));
     } else {

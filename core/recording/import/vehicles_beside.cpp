@@ -28,6 +28,12 @@ bool hasCoordinate(const RawTable& table, std::string_view letter, bool& placed)
   });
 }
 
+/// "angleX", "gyro_y": about an axis of space.
+bool isTurnInSpace(const std::string& name) {
+  const Words words = wordsOf(name, true);
+  return words.size() > 1 && words.back().size() == 1 && std::strchr("xyz", words.back()[0]) != nullptr;
+}
+
 }  // namespace
 
 bool isOfVehicle(const RawTable& table) {
@@ -115,6 +121,28 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "x_position" beside "y_position" and a heading is where a vehicle stands.
+void setPlanesAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto heads = std::to_array<std::string_view>({"heading", "yaw", "orientation"});
+  std::set<Words> names;
+  bool heading = false;
+  for (const RawColumn& column : table.columns) {
+    names.insert(wordsOf(column.channel.name, true));
+    heading = heading || firstIn(wordsOf(column.channel.name, true), heads) != nullptr;
+  }
+  if (!heading) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    Words other = wordsOf(table.columns[c].channel.name, true);
+    const auto letter =
+        std::find_if(other.begin(), other.end(), [](const std::string& word) { return word == "x" || word == "y"; });
+    const bool moves = isAngle(choices[c].name.to) || choices[c].name.to == "position_m" ||
+                       isSpeed(choices[c].name.to) || choices[c].name.to == "velocity_m_per_s";
+    if (letter == other.end() || !moves || choices[c].byMap || choices[c].byTool) continue;
+    *letter = *letter == "x" ? "y" : "x";
+    if (names.contains(other)) setAside(choices[c], message("is a place in a plane, beside a heading"));
+  }
+}
+
 /// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's or a
 /// wheel's speed.
 void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
@@ -127,14 +155,20 @@ void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool side = parts.group == "left" || parts.group == "right";
     return side && parts.unit != nullptr && parts.unit->kind == UnitKind::linearVelocity;  // "v_l (ips)"
   });
-  if ((!motors && !wheels) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed)) return;
+  const bool sides = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "velocity_rad_per_s" && (one.name.group == "left" || one.name.group == "right");
+  });
+  if ((!motors && !wheels && !sides) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed))
+    return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const ColumnName& name = choices[c].name;
     const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
     const auto words = wordsOf(table.columns[c].channel.name, true);
     const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
-    const bool heads = placed && name.group.empty() && name.to == "angle_rad" && words[0] == "theta";
-    if (turns && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
+    const bool turned = words[0] == "rot" || words[0] == "rotation";
+    const bool heads = name.group.empty() && name.to == "angle_rad" && (turned || (placed && words[0] == "theta"));
+    const bool ofSide = name.group == "left" || name.group == "right";
+    if (turns && !ofSide && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
       setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
   }
 }
@@ -142,7 +176,7 @@ void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
 /// An "angle" beside a gyro and an acceleration is how far a robot or a vehicle leans, where an encoder or a speed of
 /// rotation tells the motor's motion.
 void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
-  bool gyro = false, acceleration = false, motors = false;
+  bool gyro = false, acceleration = false, motors = false, axes = false;
   const auto countsAsMotors = [&](size_t c) {
     const std::string& name = table.columns[c].channel.name;
     const auto words = wordsOf(name, true);
@@ -156,13 +190,41 @@ void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
       gyro = gyro || word.starts_with("gyr");
       acceleration = acceleration || word.starts_with("acc");
     }
+    axes = axes || (isTurnInSpace(table.columns[c].channel.name) && !choices[c].name.understood());
     motors = motors || countsAsMotors(c);
+  }
+  if (gyro && axes) {  // "angleX" beside "gyroY"
+    for (size_t c = 0; c < choices.size(); ++c) {
+      if (choices[c].name.to == "angle_rad" && !choices[c].byMap && isTurnInSpace(table.columns[c].channel.name))
+        setAside(choices[c], message("is how far something leans, as a gyro beside it says"));
+    }
   }
   if (!gyro || !acceleration || !motors) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool motorsOwn = firstIn(wordsOf(table.columns[c].channel.name, true), jointWords) != nullptr;
     if (choices[c].name.to == "angle_rad" && !choices[c].byMap && !countsAsMotors(c) && !motorsOwn)
       setAside(choices[c], message("is how far something leans, as gyro and acceleration beside it say"));
+  }
+}
+
+/// "pendulum_angle" beside "arm_angle" hangs on what the motor moves.
+void setHangingAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto hanging = std::to_array<std::string_view>({"pendulum", "pend", "pole"});
+  const auto hangs = [&table](size_t c) {
+    return firstIn(wordsOf(table.columns[c].channel.name, true), hanging) != nullptr;
+  };
+  const auto moves = [&choices](size_t c) {
+    const std::string& to = choices[c].name.to;
+    return to == "angle_rad" || to == "velocity_rad_per_s";
+  };
+  size_t driven = choices.size();
+  for (size_t c = choices.size(); c-- > 0;) {
+    if (moves(c) && !hangs(c)) driven = c;
+  }
+  if (driven == choices.size()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (moves(c) && hangs(c) && !choices[c].byMap && !choices[c].byTool)
+      setAside(choices[c], message("hangs on what a motor moves, beside {}", table.columns[driven].channel.name));
   }
 }
 

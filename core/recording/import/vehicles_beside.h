@@ -23,6 +23,10 @@ void setVehiclesWayAside(const RawTable& table, std::vector<Choice>& choices);
 void setPlacesAside(const RawTable& table, std::vector<Choice>& choices);
 /// How it turns and where it heads, beside its place.
 void setTurningAside(const RawTable& table, std::vector<Choice>& choices);
+/// Where a vehicle stands in a plane.
+void setPlanesAside(const RawTable& table, std::vector<Choice>& choices);
+/// A pendulum beside what moves it.
+void setHangingAside(const RawTable& table, std::vector<Choice>& choices);
 /// How far it leans, beside a gyro and an acceleration.
 void setTiltAside(const RawTable& table, std::vector<Choice>& choices);
 /// Quaternions, and directions in space.
