@@ -69,9 +69,10 @@ class WiringCheck : public TimedProcedure {
   /// Whether what it failed with says which wire it is; not so where nothing moves and the current goes with the
   /// voltage.
   bool names() const { return state() == State::failed && !held_; }
-  /// That the sensor has read one number all the time, in words; else empty. What the board's watch can't tell from a
-  /// lead that is off, or an encoder that stands.
-  Message neverChanged() const;
+  /// What the board's watch, which sees 20 ms, can't tell from an encoder that stands or a sensor the other way round,
+  /// but all pulses together can, in words; else empty: that the sensor has read one number all the time, or that its
+  /// noise is all it has read though nothing moved.
+  Message noCurrent() const;
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }
@@ -110,6 +111,9 @@ class WiringCheck : public TimedProcedure {
   bool chooseKick(double supply_V);
   bool beginLonger();
   double stillFor_s() const;
+  Message neverChanged() const;
+  Message nothingSeen(double most_V) const;
+  double currentSurely() const;
   bool encoderStands() const;
   int currentSign() const;
   bool hasDied() const;
