@@ -8,12 +8,12 @@ namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.005;   ///< of the trip's current: the sensor's own noise and zero
-constexpr double nothing = 0.02;  ///< of the current that voltage and motion foretell
-constexpr double reversed = 0.3;  ///< likewise, that a sensor shows at least which is only the other way round
-constexpr double still = 0.1;     ///< of the voltage: the back-EMF of a shaft that stands
-constexpr double decaying = 0.2;  ///< likewise of the speed that voltage and current tell: the estimate lags behind
-constexpr double clearlyLess = 0.3;  ///< of the voltage that the other cause leaves over
+constexpr double quiet = 0.005;      ///< of the trip's current: the sensor's own noise and zero
+constexpr double nothing = 0.02;     ///< of the current that voltage and motion foretell
+constexpr double reversed = 0.3;     ///< likewise, that a sensor shows at least which is only the other way round
+constexpr double still = 0.1;        ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double decaying = 0.2;     ///< likewise of the speed that voltage and current tell: the estimate lags behind
+constexpr double clearlyLess = 0.5;  ///< of the voltage that the other cause leaves over
 constexpr double steadySpeed = 0.1;  ///< of itself, that a speed changes by at most where one tick tells the cause
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
@@ -80,8 +80,9 @@ WiringCause causeOf(const MotorFigures& m) {
   const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
   if (stands && currentAlong) return WiringCause::encoderStands;
   if (stands)
-    return std::abs(m.mean_A.value_or(m.current_A)) < reversed * std::abs(foretoldCurrent(m)) ? WiringCause::leadOff
-                                                                           : WiringCause::sensorOrBridgeReversed;
+    return std::abs(m.mean_A.value_or(m.current_A)) < reversed * std::abs(foretoldCurrent(m))
+               ? WiringCause::leadOff
+               : WiringCause::sensorOrBridgeReversed;
   if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
   return sensorOrBridge(m);
 }
