@@ -59,7 +59,7 @@ StepRun CauseSearch::run() const {
 
 Error CauseSearch::conclude(Trip trip, Commission& known) const {
   const auto status = check_->status();
-  Message cause = trip == Trip::contradiction ? check_->noCurrent() : Message();
+  Message cause = trip == Trip::contradiction ? check_->evidence() : Message();
   // The watch's words for the check's small pulses are no better than those for what it ended.
   const bool tells = check_->names() || (trip == Trip::contradiction && end_.trip != Trip::contradiction);
   if (cause.empty() && tells) cause = status.failure;

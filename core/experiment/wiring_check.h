@@ -69,10 +69,9 @@ class WiringCheck : public TimedProcedure {
   /// Whether what it failed with says which wire it is; not so where nothing moves and the current goes with the
   /// voltage.
   bool names() const { return state() == State::failed && !held_; }
-  /// What the board's watch, which sees 20 ms, can't tell from an encoder that stands or a sensor the other way round,
-  /// but all pulses together can, in words; else empty: that the sensor has read one number all the time, or that its
-  /// noise is all it has read though nothing moved.
-  Message noCurrent() const;
+  /// What all pulses together tell when the board's watch, which sees 20 ms, ends the check, in words; empty where they
+  /// leave it open: a sensor that has read one number all the time, what is beyond doubt, or no current but noise.
+  Message evidence() const;
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }

@@ -72,8 +72,9 @@ Message WiringCheck::nothingSeen(double most_V) const {
       most_V);
 }
 
-Message WiringCheck::noCurrent() const {
+Message WiringCheck::evidence() const {
   if (Message dead = neverChanged(); !dead.empty()) return dead;
+  if (Message wrong = contradiction(); !wrong.empty()) return wrong;
   const bool none = std::abs(currentSurely()) < onlyNoise && sums_.count >= fewestTicks && along_ + against_ == 0;
   return none ? nothingSeen(level_V_) : Message();
 }
