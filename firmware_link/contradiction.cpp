@@ -8,13 +8,14 @@ namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.005;      ///< of the trip's current: the sensor's own noise and zero
-constexpr double nothing = 0.02;     ///< of the current that voltage and motion foretell
-constexpr double reversed = 0.3;     ///< likewise, that a sensor shows at least which is only the other way round
-constexpr double still = 0.1;        ///< of the voltage: the back-EMF of a shaft that stands
-constexpr double decaying = 0.2;     ///< likewise of the speed that voltage and current tell: the estimate lags behind
-constexpr double clearlyLess = 0.5;  ///< of the voltage that the other cause leaves over
-constexpr double steadySpeed = 0.1;  ///< of itself, that a speed changes by at most where one tick tells the cause
+constexpr double quiet = 0.005;       ///< of the trip's current: the sensor's own noise and zero
+constexpr double nothing = 0.02;      ///< of the current that voltage and motion foretell
+constexpr double reversed = 0.3;      ///< likewise, that a sensor shows at least which is only the other way round
+constexpr double justReversed = 0.6;  ///< likewise, while its mean over 20 ms shows less
+constexpr double still = 0.1;         ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double decaying = 0.2;      ///< likewise of the speed that voltage and current tell: the estimate lags behind
+constexpr double clearlyLess = 0.5;   ///< of the voltage that the other cause leaves over
+constexpr double steadySpeed = 0.1;   ///< of itself, that a speed changes by at most where one tick tells the cause
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
 /// By voltage and current.
@@ -33,6 +34,14 @@ bool currentFlows(const MotorFigures& m) {
   const double least_A = std::max(quiet * m.trip_A, nothing * foretold_A);
   const bool meanFlows = !m.mean_A || std::abs(*m.mean_A) >= least_A;
   return now_A >= least_A && (meanFlows || now_A >= reversed * foretold_A);
+}
+
+/// Of a shaft that stands: what a sensor the other way round shows at least, and not its noise only. One that has just
+/// turned round has no mean yet.
+bool currentAgainst(const MotorFigures& m) {
+  const double foretold_A = std::abs(foretoldCurrent(m));
+  const bool hasMean = !m.mean_A || std::abs(*m.mean_A) >= reversed * foretold_A;
+  return std::abs(m.current_A) >= (hasMean ? reversed : justReversed) * foretold_A;
 }
 
 /// What voltage, current and motion leave over if the sensor is the other way round, and if the bridge is: the smaller
@@ -79,10 +88,7 @@ WiringCause causeOf(const MotorFigures& m) {
   }
   const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
   if (stands && currentAlong) return WiringCause::encoderStands;
-  if (stands)
-    return std::abs(m.mean_A.value_or(m.current_A)) < reversed * std::abs(foretoldCurrent(m))
-               ? WiringCause::leadOff
-               : WiringCause::sensorOrBridgeReversed;
+  if (stands) return currentAgainst(m) ? WiringCause::sensorOrBridgeReversed : WiringCause::leadOff;
   if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
   return sensorOrBridge(m);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/numbers.h"
 #include "identify/breakaway_trend.h"
@@ -12,6 +13,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastEvents = 8;
+constexpr size_t binsPerWave = 3;  // at least, of what moving friction shows
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -124,9 +126,12 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
   for (size_t k = 0; k < options.bins; ++k) {
     map.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins);
   }
+  std::optional<std::array<MovingFriction, 2>> ways;
+  if (moving != nullptr) ways = *moving;
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
     const BreakawayTrend trend(events, way);
+    if (ways) widenCoulomb((*ways)[w], trend.finerThan_Nm2(options.bins / binsPerWave));
     map.turnStatic_Nm[w] = turnsOf(events, way, trend, options);
     if (map.turnStatic_Nm[w].empty()) {
       return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "cw" : "ccw"),
@@ -142,7 +147,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
                          trend.errorAt_Nm(bin.angle_rad));
     }
   }
-  if (moving != nullptr) fillMoving(map, *moving);
+  if (ways) fillMoving(map, *ways);
   return map;
 }
 

@@ -105,6 +105,10 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
   }
 }
 
+void widenCoulomb(MovingFriction& moving, double finer_Nm2) {
+  for (Estimate& one : moving.coulomb_Nm) one.standardError = std::hypot(one.standardError, std::sqrt(finer_Nm2));
+}
+
 void fillMoving(FrictionMap& map, const std::array<MovingFriction, 2>& moving) {
   for (size_t w = 0; w < 2; ++w) {
     for (size_t k = 0; k < map.bins.size() && k < moving[w].coulomb_Nm.size(); ++k) {
