@@ -36,12 +36,18 @@ BreakawayTrend::BreakawayTrend(const std::vector<BreakawayEvent>& events, Way wa
 
 double BreakawayTrend::finerThan_Nm2(size_t order) const {
   if (events_.size() < leastForFinest) return 0.0;
-  double sum = finest(std::max(order, highestTrend) + 1, highestFinest, likelyFine).square_Nm2;
-  for (size_t k = 0; k < orders_.size(); ++k) {
-    if (orders_[k] > static_cast<double>(order))
-      sum += 0.5 * x_.segment<2>(static_cast<Eigen::Index>(2 * k + 1)).squaredNorm();
+  double sum = 0.0;
+  for (const BreakawayEvent& event : events_) {
+    const Eigen::VectorXd row = rowAt(event.angle_rad);
+    double finer_Nm = 0.0;
+    for (size_t k = 0; k < orders_.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(2 * k + 1);
+      if (orders_[k] > static_cast<double>(order)) finer_Nm += row.segment<2>(at).dot(x_.segment<2>(at));
+    }
+    sum += finer_Nm * finer_Nm;
   }
-  return sum;
+  return sum / static_cast<double>(events_.size()) +
+         finest(std::max(order, highestTrend) + 1, highestFinest, likelyFine).square_Nm2;
 }
 
 /// The one among these orders, beyond those that are followed, that takes most off what they leave; none where chance

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/numbers.h"
 #include "identify/breakaway_trend.h"
@@ -126,12 +125,11 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
   for (size_t k = 0; k < options.bins; ++k) {
     map.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins);
   }
-  std::optional<std::array<MovingFriction, 2>> ways;
-  if (moving != nullptr) ways = *moving;
+  std::array<double, 2> finer_Nm2{};
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
     const BreakawayTrend trend(events, way);
-    if (ways) widenCoulomb((*ways)[w], trend.finerThan_Nm2(options.bins / binsPerWave));
+    finer_Nm2[w] = trend.finerThan_Nm2(options.bins / binsPerWave);
     map.turnStatic_Nm[w] = turnsOf(events, way, trend, options);
     if (map.turnStatic_Nm[w].empty()) {
       return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "cw" : "ccw"),
@@ -147,7 +145,11 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
                          trend.errorAt_Nm(bin.angle_rad));
     }
   }
-  if (ways) fillMoving(map, *ways);
+  if (moving != nullptr) {
+    auto ways = *moving;
+    widenCoulomb(ways, finer_Nm2);
+    fillMoving(map, ways);
+  }
   return map;
 }
 

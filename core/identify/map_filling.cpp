@@ -105,8 +105,11 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
   }
 }
 
-void widenCoulomb(MovingFriction& moving, double finer_Nm2) {
-  for (Estimate& one : moving.coulomb_Nm) one.standardError = std::hypot(one.standardError, std::sqrt(finer_Nm2));
+void widenCoulomb(std::array<MovingFriction, 2>& moving, const std::array<double, 2>& finer_Nm2) {
+  const double finer_Nm = std::sqrt(std::max(finer_Nm2[0], finer_Nm2[1]));
+  for (MovingFriction& way : moving) {
+    for (Estimate& one : way.coulomb_Nm) one.standardError = std::hypot(one.standardError, finer_Nm);
+  }
 }
 
 void fillMoving(FrictionMap& map, const std::array<MovingFriction, 2>& moving) {

@@ -50,7 +50,6 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
   auto ways = moving;
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
-    widenCoulomb(ways[w], finerThanBins_N2(events, way, bins));
     std::vector<std::pair<double, double>> trend;
     trend.reserve(bins.count);
     for (size_t k = 0; k < bins.count; ++k) trend.emplace_back(bins.centre_m(k), moving[w].coulomb_Nm[k].value);
@@ -74,6 +73,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
     };
     fillStatic(map, way, events, binOf, commonError(measured, way, options), options.scaleError);
   }
+  widenCoulomb(ways, {finerThanBins_N2(events, Way::cw, bins), finerThanBins_N2(events, Way::ccw, bins)});
   fillMoving(map, ways);
   return map;
 }

@@ -293,7 +293,7 @@ void TestWiring::motionThatIsBraked_tellsSensorFromBridge() {
   // What is too heavy to change its speed: voltage, current and back-EMF add up with the sensor turned round.
   QVERIFY(causeOf({14.7, -2.08, 0.126, 0.132, 2.89, 57.2, 10.0, {}}) == WiringCause::sensorReversed);
   QVERIFY(causeOf({14.7, -2.08, 0.126, 0.132, 2.89, 57.2, 10.0, {}, 0.8, 14.1, -0.5}) == WiringCause::sensorReversed);
-  QVERIFY(causeOf({14.7, -7.6, 0.126, 0.122, 2.89, 57.2, 20.0, {}}) == WiringCause::bridgeReversed);
+  QVERIFY(causeOf({14.7, -9.0, 0.2, 0.196, 2.89, 57.2, 20.0, {}}) == WiringCause::bridgeReversed);
 }
 
 void TestWiring::wrongFile_isRefused_data() {
