@@ -18,6 +18,7 @@ constexpr double modelDoubt = 7e-4;     // relative: blocks, ticks and the windi
 
 struct LeastSquares {
   Eigen::VectorXd x, error;
+  double variance = 0.0;  ///< of a row, by what is left over
 };
 
 LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right) {
@@ -30,8 +31,8 @@ LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<d
   }
   LeastSquares result;
   result.x = A.colPivHouseholderQr().solve(y);
-  const double variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
-  result.error = (variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
+  result.variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
+  result.error = (result.variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
   return result;
 }
 
@@ -100,10 +101,11 @@ Estimate combined(const Estimate& a, const Estimate& b) {
 }
 
 /// Without the waves of position torque that hardly act over windows, for these span turns, and without all of them
-/// where the windows are few.
-void keepActing(std::vector<Eigen::VectorXd>& rows) {
+/// where the windows are few or none shows.
+void keepActing(std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right) {
   constexpr double acting = 0.1;  // rms over the window, of what acts all through it
   constexpr size_t enough = 6;    // rows per column
+  constexpr double shows = 40.0;  // gain in χ²
   double whole = 0.0;
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.front().size());
   for (const Eigen::VectorXd& row : rows) whole += row[1] * row[1], squares += row.cwiseAbs2();
@@ -112,7 +114,15 @@ void keepActing(std::vector<Eigen::VectorXd>& rows) {
     const bool acts = 0.5 * (squares[k] + squares[k + 1]) > acting * acting * whole;
     if (acts && rows.size() >= enough * (kept.size() + 2)) kept.insert(kept.end(), {k, k + 1});
   }
-  for (Eigen::VectorXd& row : rows) row = Eigen::VectorXd(row(kept));
+  std::vector<Eigen::VectorXd> own;
+  for (Eigen::VectorXd& row : rows) {
+    row = Eigen::VectorXd(row(kept));
+    own.emplace_back(row.head<ownColumns>());
+  }
+  const auto freedom = static_cast<double>(rows.size()) - static_cast<double>(kept.size());
+  const auto waves = static_cast<double>(kept.size()) - ownColumns;
+  const double with = solve(rows, right).variance, without = solve(own, right).variance;
+  if ((freedom + waves) * without - freedom * with < (shows + waves) * with) rows = std::move(own);
 }
 
 /// J·Δω + C·sgn ω·T + B·Δθ and what position torque of the first orders gives, an arm's weight or cogging: on an axis
@@ -148,7 +158,7 @@ Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std
   }
   if (rows.size() < leastRows)
     return Error{"motor", message("turns one way in {} windows only, expected at least 20", rows.size())};
-  keepActing(rows);
+  keepActing(rows, right);
   // Of each window's two speeds, from two roundings over two blocks each.
   const double rounding = options.count_rad / blocks.front().duration_s;
   return solveRounded(rows, right, rounding * rounding / 12.0);
