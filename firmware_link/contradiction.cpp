@@ -8,11 +8,14 @@ namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.005;   ///< of the trip's current: the sensor's own noise and zero
-constexpr double nothing = 0.02;  ///< of the current that voltage and motion foretell
-constexpr double reversed = 0.3;  ///< likewise, that a sensor shows at least which is only the other way round
-constexpr double still = 0.1;     ///< of the voltage: the back-EMF of a shaft that stands
-constexpr double decaying = 0.2;  ///< likewise of the speed that voltage and current tell: the estimate lags behind
+constexpr double quiet = 0.005;       ///< of the trip's current: the sensor's own noise and zero
+constexpr double nothing = 0.02;      ///< of the current that voltage and motion foretell
+constexpr double reversed = 0.3;      ///< likewise, that a sensor shows at least which is only the other way round
+constexpr double justReversed = 0.6;  ///< likewise, while its mean over 20 ms shows less
+constexpr double still = 0.1;         ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double decaying = 0.2;      ///< likewise of the speed that voltage and current tell: the estimate lags behind
+constexpr double clearlyLess = 0.5;   ///< of the voltage that the other cause leaves over
+constexpr double steadySpeed = 0.1;   ///< of itself, that a speed changes by at most where one tick tells the cause
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
 /// By voltage and current.
@@ -31,6 +34,31 @@ bool currentFlows(const MotorFigures& m) {
   const double least_A = std::max(quiet * m.trip_A, nothing * foretold_A);
   const bool meanFlows = !m.mean_A || std::abs(*m.mean_A) >= least_A;
   return now_A >= least_A && (meanFlows || now_A >= reversed * foretold_A);
+}
+
+/// Of a shaft that stands: what a sensor the other way round shows at least, and not its noise only. One that has just
+/// turned round has no mean yet.
+bool currentAgainst(const MotorFigures& m) {
+  const double foretold_A = std::abs(foretoldCurrent(m));
+  const bool hasMean = !m.mean_A || std::abs(*m.mean_A) >= reversed * foretold_A;
+  return std::abs(m.current_A) >= (hasMean ? reversed : justReversed) * foretold_A;
+}
+
+/// What voltage, current and motion leave over if the sensor is the other way round, and if the bridge is: the smaller
+/// is the cause, unless back-EMF is too little to part them.
+WiringCause sensorOrBridge(const MotorFigures& m) {
+  const double current_A = m.mean_V ? m.mean_A.value_or(m.current_A) : m.current_A;
+  const double speed = m.mean_V ? m.before_rad_per_s : m.velocity_rad_per_s;
+  const double driven_V = m.mean_V.value_or(m.voltage_V) + m.inductive_V + m.resistance_ohm * current_A;
+  const double induced_V = m.backEmf_V_s_per_rad * speed;
+  const double ofSensor_V = std::abs(driven_V - induced_V), ofBridge_V = std::abs(driven_V + induced_V);
+  const bool changes = std::abs(m.velocity_rad_per_s - m.before_rad_per_s) > steadySpeed * std::abs(m.before_rad_per_s);
+  if ((m.mean_V || !changes) && std::min(ofSensor_V, ofBridge_V) < clearlyLess * std::max(ofSensor_V, ofBridge_V))
+    return ofSensor_V < ofBridge_V ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
+  // A true current drives the shaft its way, so one that slows down has the other current.
+  const bool motionAlong = m.voltage_V * m.velocity_rad_per_s > 0.0;
+  const bool speedsUp = std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s);
+  return motionAlong == speedsUp ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
 }
 
 /// The nearest factor that a wrong number of counts usually has.
@@ -60,13 +88,9 @@ WiringCause causeOf(const MotorFigures& m) {
   }
   const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
   if (stands && currentAlong) return WiringCause::encoderStands;
-  if (stands)
-    return std::abs(m.current_A) < reversed * std::abs(foretoldCurrent(m)) ? WiringCause::leadOff
-                                                                           : WiringCause::sensorOrBridgeReversed;
+  if (stands) return currentAgainst(m) ? WiringCause::sensorOrBridgeReversed : WiringCause::leadOff;
   if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
-  // A true current drives the shaft its way, so one that slows down has the other current.
-  const bool speedsUp = std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s);
-  return motionAlong == speedsUp ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
+  return sensorOrBridge(m);
 }
 
 Message contradictionWords(const MotorFigures& m) {
@@ -95,8 +119,8 @@ Message contradictionWords(const MotorFigures& m) {
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::bridgeReversed:
       return message(
-          "{:.1f} V drive {:.2f} A and {}, both the other way round: the bridge is reversed; swap its two inputs, or "
-          "the sign in the board",
+          "{:.1f} V drive {:.2f} A at {}, the other way round: the bridge is reversed; swap its two inputs, or the "
+          "sign in the board",
           m.voltage_V, m.current_A, shown);
     case WiringCause::sensorOrBridgeReversed:
       return message(

@@ -17,6 +17,8 @@ struct MotorFigures {
   double trip_A = 0.0;
   Axis axis = Axis::rotary;
   std::optional<double> mean_A = {};  ///< of the current over the watch's last 20 ms, where that is known
+  std::optional<double> mean_V = {};  ///< likewise of the voltage
+  double inductive_V = 0.0;           ///< of mean_V, that the change of the current took as it is measured
 };
 
 enum class WiringCause {
@@ -35,7 +37,8 @@ enum class WiringCause {
 std::string shaftSpeedText(double speed, Axis axis);
 
 /// By the signature: which of current and motion is missing, or against the voltage; a motor that is driven has
-/// neither.
+/// neither. Of a sensor and a bridge the other way round each foretells another voltage, which parts them while the
+/// shaft turns; where that can't tell, whether the shaft speeds up does.
 WiringCause causeOf(const MotorFigures& motor);
 /// What it is, with its figures, and what to do about it.
 Message contradictionWords(const MotorFigures& motor);

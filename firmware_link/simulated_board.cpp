@@ -226,16 +226,16 @@ void SimulatedBoard::watch(const Sample& sample) {
   const auto& limits = watch_.limits();
   const auto& motor = watch_.motor();
   tripped_ = trip;
-  stop(tripWords(
-      trip, {seen.current_A,
-             limits.trip_A,
-             limit_A,
-             seen.supply_V,
-             limits.supply_V,
-             watch_.jumped_rad() / limits.count_rad,
-             limits.blockedFor_s,
-             {seen.voltage_V, seen.current_A, seen.velocity_rad_per_s, motor.velocity_rad_per_s, limits.resistance_ohm,
-              limits.backEmf_V_s_per_rad, limits.trip_A, identity_.axis, motor.current_A}}));
+  stop(tripWords(trip, {seen.current_A,
+                        limits.trip_A,
+                        limit_A,
+                        seen.supply_V,
+                        limits.supply_V,
+                        watch_.jumped_rad() / limits.count_rad,
+                        limits.blockedFor_s,
+                        {seen.voltage_V, seen.current_A, seen.velocity_rad_per_s, motor.velocity_rad_per_s,
+                         limits.resistance_ohm, limits.backEmf_V_s_per_rad, limits.trip_A, identity_.axis,
+                         motor.current_A, motor.voltage_V, watch_.inductive_V()}}));
 }
 
 /// While the link is down the board computes on by itself until its lease runs out.

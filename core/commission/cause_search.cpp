@@ -29,9 +29,13 @@ bool isOfWiring(Trip trip) {
   return false;
 }
 
-/// What has come in the shaft's way since the beginning.
-Message stopWords(const WiringFit& now, const Commission& known) {
+/// What has come in the shaft's way since the beginning; `blocked`: it was driven against that.
+Message stopWords(const WiringFit& now, bool blocked, const Commission& known) {
   const auto moves = [](const WiringFit& fit, size_t way) { return fit.breakaway_A[way] && !fit.stopped[way]; };
+  if (blocked && now.breakaway_A[0] && now.breakaway_A[1])
+    return message(
+        "{} was stopped though it moves freely both ways by now: a stop, or something else, is in its way near there",
+        bodyText(known.identity.axis));
   if (!moves(*known.wiring, 0) || !moves(*known.wiring, 1) || moves(now, 0) == moves(now, 1)) return {};
   const Axis axis = known.identity.axis;
   return message("{} moves {} only: a stop, or a load, holds it the other way, which was free at the beginning",
@@ -55,14 +59,14 @@ StepRun CauseSearch::run() const {
 
 Error CauseSearch::conclude(Trip trip, Commission& known) const {
   const auto status = check_->status();
-  Message cause = trip == Trip::contradiction ? check_->neverChanged() : Message();
+  Message cause = trip == Trip::contradiction ? check_->evidence() : Message();
   // The watch's words for the check's small pulses are no better than those for what it ended.
   const bool tells = check_->names() || (trip == Trip::contradiction && end_.trip != Trip::contradiction);
   if (cause.empty() && tells) cause = status.failure;
   if (cause.empty() && status.state == Procedure::State::finished) {
     const WiringFit now = fitWiring(*check_);
     cause = wiringChange(now, known);
-    if (cause.empty()) cause = stopWords(now, known);
+    if (cause.empty()) cause = stopWords(now, end_.trip == Trip::blocked, known);
   }
   if (cause.empty()) return end_.failure;
   return {end_.failure.place,

@@ -32,14 +32,10 @@ std::vector<double> speedParts(std::span<const double> own, size_t speeds, doubl
   return parts;
 }
 
-namespace {
-
 double torqueScaleError(const Commission& known) {
   const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
   return Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
 }
-
-}  // namespace
 
 VelocityFrictionOptions frictionOptions(const Commission& known) {
   VelocityFrictionOptions options;

@@ -18,6 +18,9 @@ double sensorZeroing_s(const Commission& known);
 /// in equal ratios, in an order in which speed and time have little to do with each other.
 std::vector<double> speedParts(std::span<const double> own, size_t speeds, double slowest);
 
+/// Relative standard error of the torque constant, common to all torques.
+double torqueScaleError(const Commission& known);
+
 /// Of a rotor, from what is known of its motor.
 VelocityFrictionOptions frictionOptions(const Commission& known);
 

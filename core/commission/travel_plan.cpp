@@ -114,6 +114,7 @@ TravelFrictionOptions frictionOver(const Commission& axis) {
   options.mass_kg = axis.motor.inertia_kg_m2.value;
   options.noiseRms_A = axis.noiseRms_A;
   options.zeroError_A = axis.runsZeroError_A;
+  options.scaleError = torqueScaleError(axis);
   options.tick_s = 1.0 / axis.identity.loopRate_Hz;
   options.count_m = count_m(axis);
   options.bins = binsOver(axis);

@@ -104,6 +104,8 @@ class BoardWatch {
   /// By how much the angle jumped at the last trip of that kind.
   Scalar jumped_rad() const { return jumped_rad_; }
   const Motor& motor() const { return motor_; }
+  /// What the current's change took of motor()'s voltage.
+  Scalar inductive_V() const { return inductive_V_; }
   const Limits& limits() const { return limits_; }
 
  private:

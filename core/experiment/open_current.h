@@ -18,11 +18,12 @@ class OpenCurrent {
   void begin();
   /// One sample of it; powered ones are left out.
   void take(const Sample& sample);
-  /// Ends the stretch; zeroMoved() since the one before, between which the board took no new zero.
+  /// Ends the stretch; zeroMoved() since the one before, between which the board took no new zero, beyond what the
+  /// sensor's noise leaves of both means.
   Message moved(double most_A);
 
  private:
-  double sum_A_ = 0.0, before_A_ = 0.0, start_s_ = 0.0, before_s_ = 0.0;
+  double sum_A_ = 0.0, squares_A2_ = 0.0, before_A_ = 0.0, beforeError_A_ = 0.0, start_s_ = 0.0, before_s_ = 0.0;
   size_t samples_ = 0;
   bool known_ = false;
 };

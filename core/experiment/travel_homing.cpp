@@ -58,7 +58,10 @@ Command TravelHoming::run(const Sample& sample) {
     case Stage::search: {
       const Command command = glideTo(travel.last_m(), sample, Stage::down);
       if (stage_ == Stage::down && sights_m_.empty())
-        fail(message("no index within the travel; check the encoder's index wire"));
+        fail(
+            message("no index within the {} between the ends that were felt; if the axis reaches further, a stop is in "
+                    "its way, else check the encoder's index wire",
+                    millimetresText(travel.high_m - travel.low_m)));
       return command;
     }
     case Stage::down:

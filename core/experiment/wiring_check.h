@@ -69,9 +69,9 @@ class WiringCheck : public TimedProcedure {
   /// Whether what it failed with says which wire it is; not so where nothing moves and the current goes with the
   /// voltage.
   bool names() const { return state() == State::failed && !held_; }
-  /// That the sensor has read one number all the time, in words; else empty. What the board's watch can't tell from a
-  /// lead that is off, or an encoder that stands.
-  Message neverChanged() const;
+  /// What all pulses together tell when the board's watch, which sees 20 ms, ends the check, in words; empty where they
+  /// leave it open: a sensor that has read one number all the time, what is beyond doubt, or no current but noise.
+  Message evidence() const;
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }
@@ -110,6 +110,9 @@ class WiringCheck : public TimedProcedure {
   bool chooseKick(double supply_V);
   bool beginLonger();
   double stillFor_s() const;
+  Message neverChanged() const;
+  Message nothingSeen(double most_V) const;
+  double currentSurely() const;
   bool encoderStands() const;
   int currentSign() const;
   bool hasDied() const;

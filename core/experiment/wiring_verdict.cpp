@@ -15,16 +15,23 @@ constexpr double reachPart = 0.8;      // of the present voltage, over which a s
 constexpr double indexCounts = 20.0;   // wider is no index
 constexpr double mostIndex = 0.5;      // of all ticks
 constexpr double fewestTicks = 100.0;  // driven ones, that noise doesn't leave on one number
+constexpr double onlyNoise = 4.0;      // standard errors, below which a current isn't seen
 
 }  // namespace
 
-/// Of the slope of current over voltage; a zero that has moved, as a sensor's that died, has none.
-int WiringCheck::currentSign() const {
+/// The slope of current over voltage, in its standard errors; a zero that has moved, as a sensor's that died, has none.
+double WiringCheck::currentSurely() const {
   const double n = std::max(1.0, sums_.count);
   const double power_W = sums_.power_W - sums_.voltage_V * sums_.current_A / n;
   const double square_V2 = sums_.square_V2 - sums_.voltage_V * sums_.voltage_V / n;
-  if (!changes_ || std::abs(power_W) <= sure * options_.noise_A * std::sqrt(std::max(0.0, square_V2))) return 0;
-  return power_W > 0.0 ? 1 : -1;
+  const double error_W = options_.noise_A * std::sqrt(std::max(0.0, square_V2));
+  if (!changes_ || power_W == 0.0) return 0.0;
+  return error_W > 0.0 ? power_W / error_W : std::copysign(2.0 * sure, power_W);
+}
+
+int WiringCheck::currentSign() const {
+  const double surely = currentSurely();
+  return std::abs(surely) <= sure ? 0 : surely > 0.0 ? 1 : -1;
 }
 
 /// A sensor that went with the voltage, or seemed to, and now reads the same from as much one way as the other; or all
@@ -58,17 +65,27 @@ Message WiringCheck::neverChanged() const {
       *constant_A_, level_V_, bodyText(options_.axis));
 }
 
+Message WiringCheck::nothingSeen(double most_V) const {
+  return message(
+      "no current is seen up to {:.1f} V: a lead of the motor is off, or the current sensor's wire; check the "
+      "motor's terminals",
+      most_V);
+}
+
+Message WiringCheck::evidence() const {
+  if (Message dead = neverChanged(); !dead.empty()) return dead;
+  if (Message wrong = contradiction(); !wrong.empty()) return wrong;
+  const bool none = std::abs(currentSurely()) < onlyNoise && sums_.count >= fewestTicks && along_ + against_ == 0;
+  return none ? nothingSeen(level_V_) : Message();
+}
+
 /// Why nothing moves, as far as the pulses go.
 Message WiringCheck::standstill(double supply_V) {
   const Message body = bodyText(options_.axis);
   const double most_V = std::min(level_V_, supply_V);
   if (const Message dead = neverChanged(); !dead.empty()) return dead;
   const int sign = currentSign();
-  if (sign == 0)
-    return message(
-        "no current is seen up to {:.1f} V: a lead of the motor is off, or the current sensor's wire; check the "
-        "motor's terminals",
-        most_V);
+  if (sign == 0) return nothingSeen(most_V);
   const auto& level = standing_[side()];
   const double most_A = level ? std::abs(level->current_A) : 0.0;
   if (sign < 0)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace breakaway {
 
@@ -11,6 +12,8 @@ constexpr size_t highestTrend = 30;
 constexpr size_t highestFine = 110, mostFine = 4;
 constexpr size_t leastForFine = 240;  // breakaways: 30 orders' worth
 constexpr double surelyFine = 40.0;   // gain in χ² of a finer order; the best of eighty gains ten by chance
+constexpr size_t highestFinest = 200, leastForFinest = 80;  // that are looked for, but not followed
+constexpr double likelyFine = 20.0;                         // likewise, of these
 constexpr double leastSpread = 0.08;  // of cosines' and sines' determinant, over breakaways squared; even: 0.25
 constexpr int learningRounds = 40;
 constexpr double leastScatter2 = 1e-10;  // square of the least scatter, part of the breakaways' own variance
@@ -19,36 +22,50 @@ constexpr double leastWave2 = 1e-8;      // of an order's variance, likewise
 }  // namespace
 
 BreakawayTrend::BreakawayTrend(const std::vector<BreakawayEvent>& events, Way way) {
-  std::vector<const BreakawayEvent*> same;
-  for (const BreakawayEvent& event : events) {
-    if (event.way == way) same.push_back(&event);
-  }
-  for (size_t k = 1; k <= std::min(highestTrend, same.size() / 8); ++k) orders_.push_back(static_cast<double>(k));
-  fit(same);
-  for (size_t k = 0; k < mostFine && same.size() >= leastForFine; ++k) {
-    const size_t order = finerOrder(same);
-    if (order == 0) return;
-    orders_.push_back(static_cast<double>(order));
-    fit(same);
+  std::copy_if(events.begin(), events.end(), std::back_inserter(events_),
+               [way](const BreakawayEvent& event) { return event.way == way; });
+  for (size_t k = 1; k <= std::min(highestTrend, events_.size() / 8); ++k) orders_.push_back(static_cast<double>(k));
+  fit();
+  for (size_t k = 0; k < mostFine && events_.size() >= leastForFine; ++k) {
+    const FineWave finer = finest(highestTrend + 1, highestFine, surelyFine);
+    if (finer.order == 0) return;
+    orders_.push_back(static_cast<double>(finer.order));
+    fit();
   }
 }
 
-/// The order beyond the others that takes most off what they leave; 0 where chance could have made it.
-size_t BreakawayTrend::finerOrder(const std::vector<const BreakawayEvent*>& events) const {
+double BreakawayTrend::finerThan_Nm2(size_t order) const {
+  if (events_.size() < leastForFinest) return 0.0;
+  double sum = 0.0;
+  for (const BreakawayEvent& event : events_) {
+    const Eigen::VectorXd row = rowAt(event.angle_rad);
+    double finer_Nm = 0.0;
+    for (size_t k = 0; k < orders_.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(2 * k + 1);
+      if (orders_[k] > static_cast<double>(order)) finer_Nm += row.segment<2>(at).dot(x_.segment<2>(at));
+    }
+    sum += finer_Nm * finer_Nm;
+  }
+  return sum / static_cast<double>(events_.size()) +
+         finest(std::max(order, highestTrend) + 1, highestFinest, likelyFine).square_Nm2;
+}
+
+/// The one among these orders, beyond those that are followed, that takes most off what they leave; none where chance
+/// could have made it. `gain`: in χ², that it takes at least.
+BreakawayTrend::FineWave BreakawayTrend::finest(size_t first, size_t last, double gain) const {
   std::vector<double> left;
   double squares = 0.0;
-  for (const BreakawayEvent* event : events) {
-    left.push_back(event->torque_Nm - torqueAt_Nm(event->angle_rad));
+  for (const BreakawayEvent& event : events_) {
+    left.push_back(event.torque_Nm - torqueAt_Nm(event.angle_rad));
     squares += left.back() * left.back();
   }
-  const auto count = static_cast<double>(events.size());
-  size_t best = 0;
-  double most = surelyFine * squares / count;
-  for (size_t k = highestTrend + 1; k <= highestFine; ++k) {
+  const auto count = static_cast<double>(events_.size());
+  FineWave best{0, gain * squares / count / count};
+  for (size_t k = first; k <= last; ++k) {
     if (std::find(orders_.begin(), orders_.end(), static_cast<double>(k)) != orders_.end()) continue;
     double c = 0.0, s = 0.0, cc = 0.0, ss = 0.0, cs = 0.0, meanX = 0.0, meanY = 0.0;
     for (size_t j = 0; j < left.size(); ++j) {
-      const double angle = static_cast<double>(k) * events[j]->angle_rad, x = std::cos(angle), y = std::sin(angle);
+      const double angle = static_cast<double>(k) * events_[j].angle_rad, x = std::cos(angle), y = std::sin(angle);
       c += left[j] * x, s += left[j] * y, cc += x * x, ss += y * y, cs += x * y, meanX += x / count, meanY += y / count;
     }
     // Around their means: where strong cogging lets a rotor rest in its valleys only, its crests are nobody's guess.
@@ -56,25 +73,25 @@ size_t BreakawayTrend::finerOrder(const std::vector<const BreakawayEvent*>& even
     const double determinant = cc * ss - cs * cs;
     if (!(determinant > leastSpread * count * count)) continue;
     const double taken = (ss * c * c - 2.0 * cs * c * s + cc * s * s) / determinant;
-    if (taken > most) most = taken, best = k;
+    if (taken / count > best.square_Nm2) best = {k, taken / count};
   }
-  return best;
+  return best.order > 0 ? best : FineWave{};
 }
 
-void BreakawayTrend::fit(const std::vector<const BreakawayEvent*>& same) {
+void BreakawayTrend::fit() {
   const auto orders = static_cast<Eigen::Index>(orders_.size());
   const Eigen::Index n = 2 * orders + 1;
-  const auto count = static_cast<double>(same.size());
+  const auto count = static_cast<double>(events_.size());
   x_ = Eigen::VectorXd::Zero(n);
   covariance_ = Eigen::MatrixXd::Zero(n, n);
-  if (same.empty()) return;
+  if (events_.empty()) return;
   double mean = 0.0, squares = 0.0;
-  for (const BreakawayEvent* event : same) mean += event->torque_Nm / count;
+  for (const BreakawayEvent& event : events_) mean += event.torque_Nm / count;
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  for (const BreakawayEvent* event : same) {
-    const Eigen::VectorXd row = rowAt(event->angle_rad);
-    const double over = event->torque_Nm - mean;
+  for (const BreakawayEvent& event : events_) {
+    const Eigen::VectorXd row = rowAt(event.angle_rad);
+    const double over = event.torque_Nm - mean;
     normal += row * row.transpose();
     right += over * row;
     squares += over * over;

@@ -23,11 +23,19 @@ class BreakawayTrend {
   double slopeAt_Nm_per_rad(double angle_rad) const;
   /// Standard error of the curve; what single breakaways scatter around it isn't in it.
   double errorAt_Nm(double angle_rad) const;
+  /// Mean square of the waves of more than `order` periods a turn, as far as they stand out of the breakaways' scatter:
+  /// what bins that end there don't show, for position torque acts on what moves as on what stands.
+  double finerThan_Nm2(size_t order) const;
 
  private:
-  void fit(const std::vector<const BreakawayEvent*>& events);
-  size_t finerOrder(const std::vector<const BreakawayEvent*>& events) const;
+  struct FineWave {
+    size_t order = 0;
+    double square_Nm2 = 0.0;  ///< mean, that it takes off
+  };
+  void fit();
+  FineWave finest(size_t first, size_t last, double gain) const;
   Eigen::VectorXd rowAt(double angle_rad) const;
+  std::vector<BreakawayEvent> events_;
   std::vector<double> orders_;
   Eigen::VectorXd x_;  ///< mean, then cosine and sine of each order
   Eigen::MatrixXd covariance_;

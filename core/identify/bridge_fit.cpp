@@ -25,7 +25,8 @@ constexpr double bentDoubt = 9e-4;        // relative, of a bent bridge: what be
 constexpr double curveDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
 constexpr size_t mostTogether = 16;       // blocks of a row
 constexpr double littleRounding = 0.002;  // of the slopes, that isn't worth longer rows
-constexpr double roundingDoubt = 0.15;    // of what the encoder's rounding changes: it is no noise at a steady speed
+constexpr double usualSag = 0.05;       // of the winding's resistance: a supply's with its leads, before it is measured
+constexpr double roundingDoubt = 0.15;  // of what the encoder's rounding changes: it is no noise at a steady speed
 
 /// Some blocks in a row, mostly one: current with its lag, the voltages, speed.
 struct BridgeRow {
@@ -33,6 +34,8 @@ struct BridgeRow {
   std::vector<double> voltages_V;
   Eigen::Index test = 0;
   double rounding = 0.0;  ///< variance of the speed by the encoder's counts
+  double sag_A = 0.0;     ///< current times the square of the duty: what a supply's resistance takes away is like it
+  double sagPerSpeed_A_s = 0.0;  ///< that a speed's error adds to it
 };
 
 /// Blocks from `k` on of a test, as many as `together`; fewer where the voltage changes steeply.
@@ -72,11 +75,12 @@ std::vector<BridgeRow> rowsOf(const BridgeTests& tests, size_t together) {
   return rows;
 }
 
-/// Slopes (the first, and by how much each knot changes it), Ke/R, and the tests' zeros.
+/// Slopes (the first, and by how much each knot changes it), Ke/R, the tests' zeros, and the supply's resistance over
+/// R.
 struct Fit {
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;
-  double squares = 0.0;
+  double squares = 0.0, residual = 0.0;
   double rounding = 0.0;  ///< relative, by which the encoder's would have made R larger
 };
 
@@ -84,22 +88,44 @@ class BridgeLine {
  public:
   BridgeLine(std::vector<BridgeRow> rows, Eigen::Index tests) : rows_(std::move(rows)), tests_(tests) {}
 
+  /// From now on the supply falls by its own resistance times what the bridge takes from it, as far as the currents of
+  /// the fit so far tell: measured ones would bring their noise.
+  void letSupplyFall(const Fit& fit, const std::vector<double>& knots_V, double supply_V) {
+    for (BridgeRow& row : rows_) {
+      double square = 0.0, mean_V = 0.0;
+      for (const double voltage_V : row.voltages_V) square += voltage_V * voltage_V, mean_V += voltage_V;
+      const double current_A = regressor(row, knots_V).dot(fit.x) - fit.x[zeroOf(row, knots_V.size())];
+      const auto blocks = static_cast<double>(row.voltages_V.size());
+      const double share = mean_V * current_A > 0.0 ? square / blocks / (supply_V * supply_V) : 0.0;
+      row.sag_A = share * current_A;
+      row.sagPerSpeed_A_s = -share * fit.x[static_cast<Eigen::Index>(knots_V.size())];
+    }
+    prior_ = spread(fit) / (usualSag * usualSag);
+  }
+
   /// `knots_V`: where the slope changes, the dead zone's end first.
   Fit fit(const std::vector<double>& knots_V) const {
-    const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 1 + tests_;
+    const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 2 + tests_;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
     double squares = 0.0, rounding = 0.0;
+    Eigen::Matrix2d roundings = Eigen::Matrix2d::Zero();  // of the speed's and the supply's column
     for (const BridgeRow& row : rows_) {
-      rounding += row.weight * row.rounding;
+      const Eigen::Vector2d perSpeed(1.0, row.sagPerSpeed_A_s);
+      roundings += row.weight * row.rounding * perSpeed * perSpeed.transpose();
       const Eigen::VectorXd a = regressor(row, knots_V);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(a, row.weight);
       right += row.weight * row.current_A * a;
       squares += row.weight * row.current_A * row.current_A;
     }
     normal = normal.selfadjointView<Eigen::Lower>();
+    normal(n - 1, n - 1) += prior_;
     const Eigen::MatrixXd seen = normal;
-    normal(slopes, slopes) -= rounding;
+    rounding = roundings(0, 0);
+    for (const Eigen::Index k : {Eigen::Index{0}, Eigen::Index{1}}) {
+      for (const Eigen::Index j : {Eigen::Index{0}, Eigen::Index{1}})
+        normal(k == 0 ? slopes : n - 1, j == 0 ? slopes : n - 1) -= roundings(k, j);
+    }
     const auto solver = normal.completeOrthogonalDecomposition();
     Fit fit;
     fit.x = solver.solve(right);
@@ -107,8 +133,8 @@ class BridgeLine {
     const double residual = squares - 2.0 * fit.x.dot(right) + fit.x.dot(seen * fit.x);
     if (rounding > 0.0) fit.rounding = roundingShare(fit.x, seen, right, slopes);
     const Eigen::MatrixXd inverse = solver.pseudoInverse();
-    fit.covariance = std::max(0.0, residual) / static_cast<double>(rows_.size() - static_cast<size_t>(n)) *
-                     (rounding > 0.0 ? Eigen::MatrixXd(inverse * seen * inverse) : inverse);
+    fit.residual = std::max(0.0, residual);
+    fit.covariance = spread(fit) * (rounding > 0.0 ? Eigen::MatrixXd(inverse * seen * inverse) : inverse);
     return fit;
   }
 
@@ -154,21 +180,30 @@ class BridgeLine {
     const Eigen::VectorXd plain = seen.completeOrthogonalDecomposition().solve(right);
     return std::abs(x.head(slopes).sum() / plain.head(slopes).sum() - 1.0);
   }
+  /// Variance of a row of weight 1.
+  double spread(const Fit& fit) const {
+    return fit.residual / static_cast<double>(rows_.size() - static_cast<size_t>(fit.x.size()));
+  }
+  static Eigen::Index zeroOf(const BridgeRow& row, size_t knots) {
+    return static_cast<Eigen::Index>(knots) + 1 + row.test;
+  }
   Eigen::VectorXd regressor(const BridgeRow& row, const std::vector<double>& knots_V) const {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size());
-    Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_);
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 2 + tests_);
     const double share = 1.0 / static_cast<double>(row.voltages_V.size());
     for (const double voltage_V : row.voltages_V) {
       for (Eigen::Index k = 0; k < slopes; ++k)
         a[k] += share * std::copysign(std::max(0.0, std::abs(voltage_V) - knots_V[static_cast<size_t>(k)]), voltage_V);
     }
     a[slopes] = -row.speed_rad_per_s;
-    a[slopes + 1 + row.test] = 1.0;
+    a[zeroOf(row, knots_V.size())] = 1.0;
+    a[slopes + 1 + tests_] = -row.sag_A;
     return a;
   }
 
   std::vector<BridgeRow> rows_;
   Eigen::Index tests_;
+  double prior_ = 1.0;  ///< of the last unknown's square; nothing else holds it while no row has its part
 };
 
 /// Takes away, one by one, the knots that change the slope by less than their doubt.
@@ -275,9 +310,13 @@ double highestStanding(const BridgeTests& tests) {
   return highest_V;
 }
 
-std::pair<Fit, std::vector<double>> fittedFrom(const BridgeLine& line, const BridgeTests& tests, double standing_V) {
-  std::vector<double> knots_V{0.0};
-  for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
+std::pair<Fit, std::vector<double>> fittedFrom(BridgeLine& line, const BridgeTests& tests, double standing_V) {
+  std::vector<double> all_V{0.0};
+  for (const double duty : knots_duty) all_V.push_back(duty * tests.supply_V);
+  std::vector<double> knots_V = all_V;
+  const Fit stiff = fitted(line, knots_V, 0.98 * standing_V);
+  line.letSupplyFall(stiff, knots_V, tests.supply_V);
+  knots_V = std::move(all_V);
   Fit fit = fitted(line, knots_V, 0.98 * standing_V);
   return {std::move(fit), std::move(knots_V)};
 }
@@ -296,7 +335,8 @@ Estimate backEmfOf(const Fit& fit, size_t knots) {
 
 std::optional<Estimate> backEmfOfAnyCurve(const BridgeTests& tests) {
   if (rowsOf(tests, 1).size() < leastBridgeRows) return {};
-  const auto [fit, knots_V] = fittedFrom(lineOf(tests), tests, highestStanding(tests));
+  BridgeLine line = lineOf(tests);
+  const auto [fit, knots_V] = fittedFrom(line, tests, highestStanding(tests));
   if (!(farSlope(fit, knots_V.size()) > 0.0)) return {};
   return backEmfOf(fit, knots_V.size());
 }
@@ -309,7 +349,7 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const double standing_V = highestStanding(tests);
   double highest_V = 0.0;
   for (const BridgeRow& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
-  const BridgeLine line = lineOf(tests);
+  BridgeLine line = lineOf(tests);
   auto [fit, knots_V] = fittedFrom(line, tests, standing_V);
   const double reach_V = knots_V.front() + (lastKnot_duty + reach_duty) * tests.supply_V;
   if (highest_V < reach_V) {

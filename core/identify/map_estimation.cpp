@@ -12,6 +12,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastEvents = 8;
+constexpr size_t binsPerWave = 3;  // at least, of what moving friction shows
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -124,9 +125,11 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
   for (size_t k = 0; k < options.bins; ++k) {
     map.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins);
   }
+  std::array<double, 2> finer_Nm2{};
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
     const BreakawayTrend trend(events, way);
+    finer_Nm2[w] = trend.finerThan_Nm2(options.bins / binsPerWave);
     map.turnStatic_Nm[w] = turnsOf(events, way, trend, options);
     if (map.turnStatic_Nm[w].empty()) {
       return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "cw" : "ccw"),
@@ -142,7 +145,11 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
                          trend.errorAt_Nm(bin.angle_rad));
     }
   }
-  if (moving != nullptr) fillMoving(map, *moving);
+  if (moving != nullptr) {
+    auto ways = *moving;
+    widenCoulomb(ways, finer_Nm2);
+    fillMoving(map, ways);
+  }
   return map;
 }
 

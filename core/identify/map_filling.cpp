@@ -105,6 +105,13 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
   }
 }
 
+void widenCoulomb(std::array<MovingFriction, 2>& moving, const std::array<double, 2>& finer_Nm2) {
+  const double finer_Nm = std::sqrt(std::max(finer_Nm2[0], finer_Nm2[1]));
+  for (MovingFriction& way : moving) {
+    for (Estimate& one : way.coulomb_Nm) one.standardError = std::hypot(one.standardError, finer_Nm);
+  }
+}
+
 void fillMoving(FrictionMap& map, const std::array<MovingFriction, 2>& moving) {
   for (size_t w = 0; w < 2; ++w) {
     for (size_t k = 0; k < map.bins.size() && k < moving[w].coulomb_Nm.size(); ++k) {

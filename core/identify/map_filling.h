@@ -22,6 +22,10 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
                 const std::function<size_t(const BreakawayEvent&)>& binOf, double commonError_Nm,
                 double scaleError = 0.0);
 
+/// Coulomb friction in more doubt by waves that the bins don't show, of these mean squares in the breakaways of both
+/// ways. What moves need not have them in the same phases, nor one way as large as the other: the larger counts.
+void widenCoulomb(std::array<MovingFriction, 2>& moving, const std::array<double, 2>& finer_Nm2);
+
 /// Coulomb, viscous and total of each bin, and both averages.
 void fillMoving(FrictionMap& map, const std::array<MovingFriction, 2>& moving);
 

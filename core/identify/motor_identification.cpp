@@ -5,17 +5,20 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "identify/spin_disc.h"
 
 namespace breakaway {
 
 namespace {
 
 constexpr size_t leastRows = 20;
+constexpr int ownColumns = 3, positionOrders = 4;  // of the momentum balance
 constexpr double windowDoubt = 1.5e-3;  // relative, of inertia: speeds at the windows' ends are means over two blocks
 constexpr double modelDoubt = 7e-4;     // relative: blocks, ticks and the winding's lag
 
 struct LeastSquares {
   Eigen::VectorXd x, error;
+  double variance = 0.0;  ///< of a row, by what is left over
 };
 
 LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right) {
@@ -28,8 +31,8 @@ LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<d
   }
   LeastSquares result;
   result.x = A.colPivHouseholderQr().solve(y);
-  const double variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
-  result.error = (variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
+  result.variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
+  result.error = (result.variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
   return result;
 }
 
@@ -97,6 +100,33 @@ Estimate combined(const Estimate& a, const Estimate& b) {
   return {(u * a.value + v * b.value) / (u + v), 1.0 / std::sqrt(u + v)};
 }
 
+/// Without the waves of position torque that hardly act over windows, for these span turns, and without all of them
+/// where the windows are few or none shows.
+void keepActing(std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right) {
+  constexpr double acting = 0.1;  // rms over the window, of what acts all through it
+  constexpr size_t enough = 6;    // rows per column
+  constexpr double shows = 40.0;  // gain in χ²
+  double whole = 0.0;
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.front().size());
+  for (const Eigen::VectorXd& row : rows) whole += row[1] * row[1], squares += row.cwiseAbs2();
+  std::vector<Eigen::Index> kept{0, 1, 2};
+  for (Eigen::Index k = ownColumns; k + 1 < squares.size(); k += 2) {
+    const bool acts = 0.5 * (squares[k] + squares[k + 1]) > acting * acting * whole;
+    if (acts && rows.size() >= enough * (kept.size() + 2)) kept.insert(kept.end(), {k, k + 1});
+  }
+  std::vector<Eigen::VectorXd> own;
+  for (Eigen::VectorXd& row : rows) {
+    row = Eigen::VectorXd(row(kept));
+    own.emplace_back(row.head<ownColumns>());
+  }
+  const auto freedom = static_cast<double>(rows.size()) - static_cast<double>(kept.size());
+  const auto waves = static_cast<double>(kept.size()) - ownColumns;
+  const double with = solve(rows, right).variance, without = solve(own, right).variance;
+  if ((freedom + waves) * without - freedom * with < (shows + waves) * with) rows = std::move(own);
+}
+
+/// J·Δω + C·sgn ω·T + B·Δθ and what position torque of the first orders gives, an arm's weight or cogging: on an axis
+/// that turns slowly it is more than what accelerates.
 Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least,
                                  double Kt, const MotorIdentificationOptions& options) {
   std::vector<Eigen::VectorXd> rows;
@@ -115,11 +145,20 @@ Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std
     // The speed at a block's end is the mean of the blocks on both sides.
     const double before = 0.5 * (speed[k] + speed[k + 1]), after = 0.5 * (speed[k + width] + speed[k + width + 1]);
     const double travel = blocks[k + width].angle_rad - blocks[k].angle_rad;
-    rows.push_back(Eigen::Vector3d(after - before, std::copysign(duration, travel), travel));
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(ownColumns + 2 * positionOrders);
+    row.head<ownColumns>() << after - before, std::copysign(duration, travel), travel;
+    for (int n = 1; n <= positionOrders; ++n) {
+      std::complex<double> wave = 0.0;
+      for (size_t j = k + 1; j <= k + width; ++j)
+        wave += waveOver(n, blocks[j - 1].angle_rad, blocks[j].angle_rad, blocks[j].duration_s);
+      row.segment<2>(ownColumns + 2 * (n - 1)) << wave.real(), wave.imag();
+    }
+    rows.push_back(std::move(row));
     right.push_back(impulse);
   }
   if (rows.size() < leastRows)
     return Error{"motor", message("turns one way in {} windows only, expected at least 20", rows.size())};
+  keepActing(rows, right);
   // Of each window's two speeds, from two roundings over two blocks each.
   const double rounding = options.count_rad / blocks.front().duration_s;
   return solveRounded(rows, right, rounding * rounding / 12.0);

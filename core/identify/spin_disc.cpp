@@ -31,14 +31,6 @@ Value rateAt(const std::vector<Value>& values, const std::vector<SpinBlock>& blo
   return (values[k + 1] - values[k - 1]) / (blocks[k].duration_s + blocks[k + 1].duration_s);
 }
 
-/// ∫e^{jnθ} dt over a block, at even speed.
-Complex waveOver(int order, double from_rad, double to_rad, double duration_s) {
-  const double travel_rad = order * (to_rad - from_rad);
-  const Complex start = std::polar(1.0, order * from_rad), end = std::polar(1.0, order * to_rad);
-  if (std::abs(travel_rad) < 1e-6) return duration_s * start;
-  return duration_s * (end - start) / Complex(0.0, travel_rad);
-}
-
 struct Balance {
   Square normal = Square::Zero();
   SpinRow right = SpinRow::Zero();
@@ -148,6 +140,13 @@ bool refutedByVoltage(const std::vector<SpinBlock>& blocks, const EncoderDisc& d
 }
 
 }  // namespace
+
+std::complex<double> waveOver(int order, double from_rad, double to_rad, double duration_s) {
+  const double travel_rad = order * (to_rad - from_rad);
+  const Complex start = std::polar(1.0, order * from_rad), end = std::polar(1.0, order * to_rad);
+  if (std::abs(travel_rad) < 1e-6) return duration_s * start;
+  return duration_s * (end - start) / Complex(0.0, travel_rad);
+}
 
 EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks) {
   EncoderDisc disc;

@@ -1,6 +1,7 @@
 // An encoder's disc off its centre, as a motor shows it that turns freely.
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "experiment/spin_block.h"
@@ -18,5 +19,8 @@ EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks);
 
 /// The blocks with the angles where the rotor really was.
 std::vector<SpinBlock> freedOf(const EncoderDisc& disc, std::vector<SpinBlock> blocks);
+
+/// ∫e^{jnθ} dt over a block, at even speed.
+std::complex<double> waveOver(int order, double from_rad, double to_rad, double duration_s);
 
 }  // namespace breakaway

@@ -168,6 +168,14 @@ Shape stribeckOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg) {
   return shape;
 }
 
+/// Values at bins' centres of a curve whose means over the bins these are: f = f̄ − h²·f̄''/24 + …, f̄'' by the bins
+/// beside.
+void freeOfBinMeans(std::vector<Estimate>& curve) {
+  const std::vector<Estimate> means = curve;
+  for (size_t k = 1; k + 1 < means.size(); ++k)
+    curve[k].value -= (means[k + 1].value - 2.0 * means[k].value + means[k - 1].value) / 24.0;
+}
+
 MovingFriction smoothed(const std::vector<Bin>& bins, double mass_kg, double stribeck, double scale,
                         const TravelFrictionOptions& options) {
   std::vector<double> place;
@@ -198,11 +206,13 @@ MovingFriction smoothed(const std::vector<Bin>& bins, double mass_kg, double str
   common(0, 0) += zero_N * zero_N;  // and one of all speeds is Coulomb friction
   MovingFriction friction;
   const auto widen = [&](Estimate one, Eigen::Index c) {
-    one.standardError = std::hypot(one.standardError, std::sqrt(std::max(0.0, common(c, c))));
+    one.standardError =
+        std::hypot(one.standardError, std::sqrt(std::max(0.0, common(c, c))), options.scaleError * one.value);
     return one;
   };
   for (const Estimate& one : curves.first) friction.coulomb_Nm.push_back(widen(one, 0));
   for (const Estimate& one : curves.second) friction.viscous_Nm_s_per_rad.push_back(widen(one, 1));
+  freeOfBinMeans(friction.coulomb_Nm);
   friction.coulombMean_Nm = widen(curves.firstMean, 0);
   friction.viscousMean_Nm_s_per_rad = widen(curves.secondMean, 1);
   return friction;

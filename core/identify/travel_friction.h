@@ -17,6 +17,7 @@ struct TravelFrictionOptions {
   double mass_kg = 0.0;                ///< as identified before
   double noiseRms_A = 0.0;             ///< of one sample of the current
   double zeroError_A = 0.0;            ///< standard error of the current sensor's zero at each speed
+  double scaleError = 0.0;             ///< relative standard error of the force constant
   double tick_s = 0.0, count_m = 0.0;
   TravelBins bins;
   /// The breakaway map where it is known, by Way: slow strokes are freed of what friction falls by with speed.
@@ -32,7 +33,7 @@ struct TravelFriction {
 /// Per bin and way the force less what accelerates, Kf·i − m·a, is fitted over the speeds by C·(1 − e) + B·v + S·e with
 /// e = exp(−(v/v_s)²) and one v_s for all; m is what the same bins passed at different accelerations say (their
 /// friction is projected out). What is left in the bins sets the noise's scale. C and B are then smoothed over the
-/// travel (smooth_pair.h). Errors: a way with fewer than three speeds.
+/// travel (smooth_pair.h), and C is freed of what a bin's mean flattens. Errors: a way with fewer than three speeds.
 Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, const TravelFrictionOptions& options);
 
 /// Current that keeps it moving in the slowest run, per bin, by Way, positive in the way's direction; bins that the run

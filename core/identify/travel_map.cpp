@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/numbers.h"
+#include "identify/breakaway_trend.h"
 #include "identify/map_filling.h"
 
 namespace breakaway {
@@ -11,6 +13,16 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastTravelEvents = 8;
+constexpr double coursePart = 0.9;     // of a turn, that the travel is laid on: its ends don't meet
+constexpr double binsPerPeriod = 3.0;  // at least, of what moving friction shows
+
+/// Mean square of the waves over the travel that are too fine for its bins.
+double finerThanBins_N2(std::vector<BreakawayEvent> events, Way way, const TravelBins& bins) {
+  const double count = static_cast<double>(bins.count), length_m = count * bins.width_m();
+  for (BreakawayEvent& event : events)
+    event.angle_rad = coursePart * turn_rad * (event.angle_rad - bins.from_m) / length_m;
+  return BreakawayTrend(events, way).finerThan_Nm2(static_cast<size_t>(count / binsPerPeriod / coursePart));
+}
 
 /// Straight between points that are sorted by place, level beyond their ends.
 double between(const std::vector<std::pair<double, double>>& points, double place) {
@@ -35,6 +47,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
   map.totalVelocity_rad_per_s = options.totalVelocity_rad_per_s;
   map.bins.resize(bins.count);
   for (size_t k = 0; k < bins.count; ++k) map.bins[k].angle_rad = bins.centre_m(k) - index_m;
+  auto ways = moving;
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
     std::vector<std::pair<double, double>> trend;
@@ -60,7 +73,8 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
     };
     fillStatic(map, way, events, binOf, commonError(measured, way, options), options.scaleError);
   }
-  fillMoving(map, moving);
+  widenCoulomb(ways, {finerThanBins_N2(events, Way::cw, bins), finerThanBins_N2(events, Way::ccw, bins)});
+  fillMoving(map, ways);
   return map;
 }
 

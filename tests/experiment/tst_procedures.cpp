@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "experiment/breakaway_sweep.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
@@ -19,6 +20,7 @@ class TestProcedures : public QObject {
   void slowTurns_giveFrictionBetweenStandingAndMoving();
   void slowTurnsThatTakeTooLong_areLeftOut();
   void zeroing_findsTheSensorsOffset();
+  void zeroing_takesNoiseForNoise();
   void homing_findsTheIndexToACount();
   void homing_findsItAgainFromElsewhere();
   void homingWithoutIndex_saysSo();
@@ -82,6 +84,26 @@ void TestProcedures::zeroing_findsTheSensorsOffset() {
   QCOMPARE(zeroing->state(), Procedure::State::finished);
   QVERIFY(std::abs(zeroing->zero_A().value - 0.05) < 0.003);
   QVERIFY(zeroing->noiseRms_A() > 0.015 && zeroing->noiseRms_A() < 0.02);
+}
+
+/// Two halves' means differ by chance by more than a quiet sensor's zero may move; what moves beyond that is named.
+void TestProcedures::zeroing_takesNoiseForNoise() {
+  int moved = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    for (const double drift_A : {0.0, 0.2}) {
+      Noise noise(seed);
+      CurrentZeroing zeroing;
+      Sample sample;
+      for (int k = 0; zeroing.state() == Procedure::State::running && k < 8000; ++k) {
+        sample.time_s = k / 5000.0;
+        sample.current_A = 0.7 * noise.normal() + (sample.time_s > 0.55 ? drift_A : 0.0);
+        zeroing.step(sample);
+      }
+      if (drift_A > 0.0) moved += zeroing.status().failure.find("zero moved") != std::string::npos ? 1 : 0;
+      if (drift_A == 0.0) QCOMPARE(zeroing.state(), Procedure::State::finished);
+    }
+  }
+  QCOMPARE(moved, 40);
 }
 
 void TestProcedures::homing_findsTheIndexToACount() {

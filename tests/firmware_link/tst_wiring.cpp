@@ -277,6 +277,8 @@ void TestWiring::noiseOfOneTick_isNoCurrent() {
   }
   QVERIFY(causeOf({1.1, -0.04, 0.0, 0.0, 3.3, 0.1, 4.0, {}}) == WiringCause::leadOff);
   QVERIFY(causeOf({1.1, -0.3, 0.0, 0.0, 3.3, 0.1, 4.0, {}, -0.2}) == WiringCause::sensorOrBridgeReversed);
+  // Its mean over 20 ms is noise, too, and much less than what should flow.
+  QVERIFY(causeOf({-1.6, 0.31, 0.0, 0.0, 2.0, 0.1, 10.0, {}, 0.08}) == WiringCause::leadOff);
 }
 
 /// What turns the other way yet, when the current turns round, slows down.
@@ -288,6 +290,10 @@ void TestWiring::motionThatIsBraked_tellsSensorFromBridge() {
   QVERIFY(cause(-29.0, -25.0) == WiringCause::bridgeReversed);
   QVERIFY(cause(29.0, 35.0) == WiringCause::bridgeReversed);
   QVERIFY(cause(29.0, 25.0) == WiringCause::sensorReversed);
+  // What is too heavy to change its speed: voltage, current and back-EMF add up with the sensor turned round.
+  QVERIFY(causeOf({14.7, -2.08, 0.126, 0.132, 2.89, 57.2, 10.0, {}}) == WiringCause::sensorReversed);
+  QVERIFY(causeOf({14.7, -2.08, 0.126, 0.132, 2.89, 57.2, 10.0, {}, 0.8, 14.1, -0.5}) == WiringCause::sensorReversed);
+  QVERIFY(causeOf({14.7, -9.0, 0.2, 0.196, 2.89, 57.2, 20.0, {}}) == WiringCause::bridgeReversed);
 }
 
 void TestWiring::wrongFile_isRefused_data() {

@@ -25,6 +25,7 @@ class TestWiringCheck : public QObject {
   void soundRandomRig_passes();
   void fault_isNamed_data();
   void fault_isNamed();
+  void leadOffUnderMuchNoise_isNamed();
   void load_isSaidWithItsWay_data();
   void load_isSaidWithItsWay();
   void playWithALoadFreeOfFriction_isNoLoad_data();
@@ -171,6 +172,17 @@ void TestWiringCheck::fault_isNamed() {
   QVERIFY2(!all.done.ok() && all.said().contains(words), qPrintable("said: " + all.said()));
   QVERIFY2(all.furthest < (preset == "linear" ? fiftiethOfTravel_m : tenthOfATurn_rad),
            qPrintable(QString::number(all.furthest)));
+}
+
+/// The board's watch means over 20 ms, which noise turns to either side.
+void TestWiringCheck::leadOffUnderMuchNoise_isNamed() {
+  const std::string rig = wiredRig("linear", R"({"fault": "lead_off"})");
+  const size_t at = rig.find("\"noise_rms_A\":"), end = rig.find_first_of(",}", at);
+  QVERIFY(at != std::string::npos);
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const Checked all = checked(rig.substr(0, at) + "\"noise_rms_A\": 0.4" + rig.substr(end), {}, seed);
+    QVERIFY2(!all.done.ok() && all.said().contains("a lead of the motor is off"), qPrintable(all.said()));
+  }
 }
 
 void TestWiringCheck::load_isSaidWithItsWay_data() {

@@ -18,6 +18,8 @@ class TestBridgeFit : public QObject {
   void lowVoltages_areRefusedInWords();
   void alwaysTheSameCurrent_isRefusedInWords();
   void curveThatCantBeTold_leavesTheBackEmfOpen();
+  void supplyThatFallsUnseen_leavesTheBackEmfAlone_data();
+  void supplyThatFallsUnseen_leavesTheBackEmfAlone();
 };
 
 namespace {
@@ -38,8 +40,9 @@ double straight(double duty) {
   return std::copysign(std::max(0.0, std::abs(duty) - deadZone), duty);
 }
 
-/// A standing rotor's ramps, and a turning one to and fro whose current is `swing_A` this way and that.
-BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A, unsigned seed) {
+/// A standing rotor's ramps, and a turning one to and fro whose current is `swing_A` this way and that; the supply
+/// falls by `sag_ohm` times what the bridge takes.
+BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A, unsigned seed, double sag_ohm = 0.0) {
   Noise noise(seed);
   BridgeTests tests;
   tests.supply_V = supply_V;
@@ -53,7 +56,8 @@ BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A,
     const double phase = k / 150.0 - std::floor(k / 150.0), duty = highest_duty * (1.0 - 4.0 * std::abs(phase - 0.5));
     // What friction and inertia make of it is no matter: any current may flow at any voltage.
     current = 0.15 * (duty > 0.0 ? 1.0 : -1.0) + swing_A * std::sin(k / 37.0);
-    const double speed = (bridge(duty) * supply_V - R * current) / Ke;
+    const double driven_V = bridge(duty) * supply_V, bus_A = std::max(0.0, driven_V * current / supply_V);
+    const double speed = (driven_V * (1.0 - sag_ohm * bus_A / supply_V) - R * current) / Ke;
     angle += speed * tick_s;
     blocks.push_back({tick_s * (k + 1), tick_s, angle, current - 0.001 + 0.003 * noise.normal(), duty * supply_V});
   }
@@ -170,6 +174,35 @@ void TestBridgeFit::curveThatCantBeTold_leavesTheBackEmfOpen() {
   }
   QVERIFY2(untold >= 5 && straightHeld <= untold / 4 && held >= untold - 1,
            qPrintable(QString("of %1: %2, %3").arg(untold).arg(straightHeld).arg(held)));
+}
+
+void TestBridgeFit::supplyThatFallsUnseen_leavesTheBackEmfAlone_data() {
+  QTest::addColumn<double>("sag");
+  QTest::addColumn<double>("count_rad");
+  QTest::newRow("none") << 0.0 << 0.0;
+  QTest::newRow("a twentieth of the winding's") << 0.05 * R << 0.0;
+  QTest::newRow("a fifth of it") << 0.2 * R << 0.0;
+  QTest::newRow("a twentieth of it, coarse encoder") << 0.05 * R << 0.01;
+}
+
+void TestBridgeFit::supplyThatFallsUnseen_leavesTheBackEmfAlone() {
+  QFETCH(double, sag);
+  QFETCH(double, count_rad);
+  int held = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    BridgeTests seen = tests(straight, 0.7, 1.0, seed, sag);
+    seen.count_rad = count_rad;
+    for (SpinBlock& block : seen.moving[0])
+      if (count_rad > 0.0) block.angle_rad = count_rad * std::floor(block.angle_rad / count_rad);
+    const auto fit = fitBridge(seen);
+    QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
+    const Estimate& found = fit->backEmfConstant_V_s_per_rad;
+    QVERIFY2(std::abs(found.value / Ke - 1.0) < 0.002, qPrintable(QString::number(found.value / Ke)));
+    QVERIFY(std::abs(fit->resistance_ohm.value / R - 1.0) < 0.01);
+    QVERIFY(found.standardError < 0.002 * Ke);
+    held += found.low95() <= Ke && Ke <= found.high95() ? 1 : 0;
+  }
+  QVERIFY2(held >= 8, qPrintable(QString::number(held)));
 }
 
 QTEST_APPLESS_MAIN(TestBridgeFit)

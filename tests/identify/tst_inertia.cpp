@@ -17,6 +17,8 @@ class TestInertia : public QObject {
   void frictionOfFewTurns_isNoDisc();
   void discThatTheVoltageRefutes_isNone();
   void coarseEncoder_doesNotDrawTheInertiaLow();
+  void armOnASlowJoint_isNoInertia_data();
+  void armOnASlowJoint_isNoInertia();
   void rotorThatNeverMoved_isReported();
   void currentThatStaysLow_isCalledSaturated();
   void methodsThatDisagree_widenTheInterval();
@@ -135,6 +137,48 @@ void TestInertia::coarseEncoder_doesNotDrawTheInertiaLow() {
   QVERIFY2(plain < 0.93, qPrintable(QString::number(plain)));
   QVERIFY2(std::abs(freed.value / J - 1.0) < 0.03, qPrintable(QString::number(freed.value / J)));
   QVERIFY(freed.low95() < J && J < freed.high95() && freed.standardError < 0.1 * J);
+}
+
+void TestInertia::armOnASlowJoint_isNoInertia_data() {
+  QTest::addColumn<double>("arm_Nm");
+  QTest::newRow("none") << 0.0;
+  QTest::newRow("15 times what accelerates") << 6.5;
+}
+
+/// A geared joint by voltage up and down, a turn a second at most: what its arm weighs passed for six times the
+/// inertia.
+void TestInertia::armOnASlowJoint_isNoInertia() {
+  QFETCH(double, arm_Nm);
+  constexpr double R = 1.1, constant = 2.8, inertia = 0.0765, coulomb = 16.0, viscous = 0.3, leg_s = 1.5, step_s = 1e-4;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Noise noise(seed);
+    std::vector<SpinBlock> blocks;
+    double speed = 0.0, angle = 0.3 * seed;
+    for (int k = 1; k <= 2400; ++k) {
+      double current = 0.0, voltage = 0.0;
+      for (int step = 0; step < 100; ++step) {
+        const double legs = (0.01 * k + step_s * step) / leg_s, phase = legs - 4.0 * std::floor(legs / 4.0);
+        const double applied = 24.0 * (phase < 1.0 ? phase : phase < 3.0 ? 2.0 - phase : phase - 4.0);
+        const double through = (applied - constant * speed) / R;
+        const double acting = constant * through - arm_Nm * std::cos(angle) - viscous * speed;
+        const double next = speed + step_s * (acting - std::copysign(coulomb, speed != 0.0 ? speed : acting)) / inertia;
+        speed = speed * next < 0.0 || (speed == 0.0 && std::abs(acting) < coulomb) ? 0.0 : next;
+        angle += step_s * speed;
+        current += 0.01 * through;
+        voltage += 0.01 * applied;
+      }
+      blocks.push_back({0.01 * k, 0.01, angle, current + 0.07 * noise.normal(), voltage});
+    }
+    WindingLine winding;
+    winding.resistance_ohm = {R, 0.001};
+    MotorIdentificationOptions options;
+    options.trustedTorqueConstant_Nm_per_A = constant;
+    const auto found = identifyMotor(blocks, winding, {1e-3, 1e-6}, options);
+    QVERIFY2(found.ok(), found.ok() ? "" : found.error().message().c_str());
+    const Estimate& J_found = found->inertia_kg_m2;
+    QVERIFY2(std::abs(J_found.value / inertia - 1.0) < 0.15, qPrintable(QString::number(J_found.value)));
+    QVERIFY(std::abs(J_found.value - inertia) < 4.0 * J_found.standardError);
+  }
 }
 
 void TestInertia::rotorThatNeverMoved_isReported() {

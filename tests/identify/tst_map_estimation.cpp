@@ -16,6 +16,7 @@ class TestMapEstimation : public QObject {
   void missingBreakaways_areInterpolated();
   void stretchWithoutBreakaways_isBridged();
   void slotsFinerThanTheBinsMiddlesShow_areFollowed();
+  void wavesFinerThanBinsShow_areInCoulombsDoubt();
   void standardError_matchesTheScatter();
   void intervalsHoldTheTruth_data();
   void intervalsHoldTheTruth();
@@ -137,6 +138,34 @@ void TestMapEstimation::slotsFinerThanTheBinsMiddlesShow_areFollowed() {
   }
   const double rms = std::sqrt(squares / static_cast<double>(map->bins.size())) / 0.021;
   QVERIFY2(rms < 0.02, qPrintable(QString::number(rms)));
+}
+
+/// A ripple of 43 periods over 90 bins is no part of what moving friction shows, and moving friction has it all the
+/// same.
+void TestMapEstimation::wavesFinerThanBinsShow_areInCoulombsDoubt() {
+  constexpr double amplitude = 0.0015, known = 1e-5;
+  std::array<MovingFriction, 2> moving;
+  for (MovingFriction& way : moving) {
+    way.coulomb_Nm.assign(90, Estimate{0.015, known});
+    way.viscous_Nm_s_per_rad.assign(90, Estimate{1e-5, 1e-7});
+  }
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    for (const bool rippled : {false, true}) {
+      auto all = events(0.015, 0.0, 1.0, seed);
+      for (BreakawayEvent& event : all) {
+        const double more_A =
+            rippled ? signOf(event.way) * amplitude * std::cos(43.0 * event.angle_rad + 0.4) / Kt : 0.0;
+        for (double* one : {&event.commanded_A, &event.commandedMean_A, &event.measuredMean_A, &event.current_A})
+          *one += more_A;
+      }
+      const auto map = estimateMap(all, &moving, options());
+      QVERIFY(map.ok());
+      for (const WayBin& way : map->bins[17].way) {
+        const double doubt = way.coulomb_Nm.standardError / (rippled ? amplitude / std::sqrt(2.0) : known);
+        QVERIFY2(doubt > 0.8 && doubt < 1.3, qPrintable(QString("seed %1: %2").arg(seed).arg(doubt)));
+      }
+    }
+  }
 }
 
 void TestMapEstimation::standardError_matchesTheScatter() {

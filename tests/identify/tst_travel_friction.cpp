@@ -15,6 +15,8 @@ class TestTravelFriction : public QObject {
   void smoothCurves_areFoundAndHeldByTheirIntervals();
   void levelCurves_areLeftLevel();
   void massAndFriction_areToldApart();
+  void wavesOfFewBins_arentFlattened();
+  void forceConstantsDoubt_isInEveryBin();
   void twoSpeeds_areRefused();
 };
 
@@ -136,6 +138,40 @@ void TestTravelFriction::massAndFriction_areToldApart() {
     QVERIFY(std::sqrt(squares[0]) < 0.004 && std::sqrt(squares[1]) < 0.01);
     QVERIFY(std::abs(friction->moving[w].coulombMean_Nm.value - 5.0) < 0.3);
   }
+}
+
+/// A wave of four bins, whose means over the bins are a tenth flatter than it is.
+void TestTravelFriction::wavesOfFewBins_arentFlattened() {
+  constexpr double perBin = std::numbers::pi / 2.0;
+  const double flattened = std::sin(0.5 * perBin) / (0.5 * perBin);
+  auto strokes = strokesOf({0.02, 0.1, 0.3, 0.8}, 1e-4, 5);
+  for (TravelRun& run : strokes) {
+    for (size_t w = 0; w < 2; ++w) {
+      for (size_t k = 0; k < places; ++k) {
+        TravelBinSums& sum = run.bins[w][k];
+        const double sign = w == 0 ? -1.0 : 1.0, wave_N = std::cos(perBin * static_cast<double>(k) + 0.5);
+        sum.current_A += sign * static_cast<double>(sum.samples) * flattened * wave_N / 14.0;
+      }
+    }
+  }
+  const auto friction = fitTravelFriction(strokes, optionsFor(1e-4));
+  QVERIFY2(friction.ok(), friction ? "" : friction.error().message().c_str());
+  for (const MovingFriction& way : friction->moving) {
+    double found = 0.0;
+    for (size_t k = 8; k + 10 < places; ++k) {
+      const double wave = std::cos(perBin * static_cast<double>(k) + 0.5);
+      found += 2.0 * wave * (way.coulomb_Nm[k].value - coulombAt(at(k))) / 72.0;
+    }
+    QVERIFY2(std::abs(found - 1.0) < 0.04, qPrintable(QString::number(found)));
+  }
+}
+
+void TestTravelFriction::forceConstantsDoubt_isInEveryBin() {
+  TravelFrictionOptions options = optionsFor(1e-4);
+  options.scaleError = 0.01;
+  const auto friction = fitTravelFriction(strokesOf({0.02, 0.1, 0.3, 0.8}, 1e-4, 5), options);
+  QVERIFY2(friction.ok(), friction ? "" : friction.error().message().c_str());
+  for (const Estimate& one : friction->moving[1].coulomb_Nm) QVERIFY(one.standardError >= 0.0099 * one.value);
 }
 
 void TestTravelFriction::twoSpeeds_areRefused() {

@@ -53,7 +53,7 @@ class Wiring : public Step {
     return StepRun{"01-wiring", check_};
   }
 
-  Message causeOf(Trip trip) const override { return trip == Trip::contradiction ? check_->neverChanged() : Message(); }
+  Message causeOf(Trip trip) const override { return trip == Trip::contradiction ? check_->evidence() : Message(); }
 
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
     if (!ran) return ran.error();
