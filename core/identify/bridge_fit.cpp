@@ -26,6 +26,8 @@ constexpr double curveDoubt = 2e-4;       // relative: blocks, ticks and the win
 constexpr size_t mostTogether = 16;       // blocks of a row
 constexpr double littleRounding = 0.002;  // of the slopes, that isn't worth longer rows
 constexpr double usualSag = 0.05;       // of the winding's resistance: a supply's with its leads, before it is measured
+constexpr double sagDoubt = 0.02;       // of the winding's resistance, seen on benches of other makes
+constexpr double stretch_s = 0.3;       // over which rows may err alike
 constexpr double roundingDoubt = 0.15;  // of what the encoder's rounding changes: it is no noise at a steady speed
 
 /// Some blocks in a row, mostly one: current with its lag, the voltages, speed.
@@ -100,7 +102,7 @@ class BridgeLine {
       row.sag_A = share * current_A;
       row.sagPerSpeed_A_s = -share * fit.x[static_cast<Eigen::Index>(knots_V.size())];
     }
-    prior_ = spread(fit) / (usualSag * usualSag);
+    prior_ = spread(fit) * alike(fit, knots_V) / (usualSag * usualSag);
   }
 
   /// `knots_V`: where the slope changes, the dead zone's end first.
@@ -183,6 +185,25 @@ class BridgeLine {
   /// Variance of a row of weight 1.
   double spread(const Fit& fit) const {
     return fit.residual / static_cast<double>(rows_.size() - static_cast<size_t>(fit.x.size()));
+  }
+  /// How much more than single rows those of a stretch tell in their sum, at least 1: what they have in common, such as
+  /// cogging or a curve's remainder, mustn't pass for many rows' word.
+  double alike(const Fit& fit, const std::vector<double>& knots_V) const {
+    double together = 0.0, alone = 0.0, sum = 0.0, span_s = 0.0;
+    Eigen::Index test = -1;
+    for (const BridgeRow& row : rows_) {
+      if (row.test != test || span_s >= stretch_s) {
+        together += sum * sum;
+        sum = span_s = 0.0;
+        test = row.test;
+      }
+      const double left = std::sqrt(row.weight) * (row.current_A - regressor(row, knots_V).dot(fit.x));
+      sum += left;
+      alone += left * left;
+      span_s += row.weight;
+    }
+    together += sum * sum;
+    return alone > 0.0 ? std::max(1.0, together / alone) : 1.0;
   }
   static Eigen::Index zeroOf(const BridgeRow& row, size_t knots) {
     return static_cast<Eigen::Index>(knots) + 1 + row.test;
@@ -310,6 +331,16 @@ double highestStanding(const BridgeTests& tests) {
   return highest_V;
 }
 
+/// Other things bend like a supply that falls, such as a winding that warms up: what that does to all else is its
+/// doubt.
+void doubtSag(Fit& fit) {
+  const Eigen::Index sag = fit.x.size() - 1;
+  const double variance = fit.covariance(sag, sag);
+  if (!(variance > 0.0)) return;
+  const Eigen::VectorXd along = fit.covariance.col(sag) / variance;
+  fit.covariance += sagDoubt * sagDoubt * along * along.transpose();
+}
+
 std::pair<Fit, std::vector<double>> fittedFrom(BridgeLine& line, const BridgeTests& tests, double standing_V) {
   std::vector<double> all_V{0.0};
   for (const double duty : knots_duty) all_V.push_back(duty * tests.supply_V);
@@ -318,6 +349,7 @@ std::pair<Fit, std::vector<double>> fittedFrom(BridgeLine& line, const BridgeTes
   line.letSupplyFall(stiff, knots_V, tests.supply_V);
   knots_V = std::move(all_V);
   Fit fit = fitted(line, knots_V, 0.98 * standing_V);
+  doubtSag(fit);
   return {std::move(fit), std::move(knots_V)};
 }
 

@@ -35,12 +35,12 @@ struct BridgeFit {
 /// and straight between knots that lie closer towards the dead zone's end, which is searched. Friction, inertia and
 /// load do not enter. Voltage and speed go together, so that a coarse encoder's rounding would make both slopes small,
 /// R large and leave Ke right (W. A. Fuller, Measurement Error Models, section 2.2): what it adds to the square of ω is
-/// taken off, and a part of what that changes is in R's error. A supply that the board doesn't see falling takes Rs·(u/U)²·i
-/// away where it drives: Rs/R is an unknown beside, known to a few hundredths beforehand, so that R and Ke are free of
-/// it, or in doubt as far as the tests leave it open. The scale of f can't be seen: beyond the last knot f is
-/// taken to grow as the duty does, and a bridge that gives a common part less shows it in R, L and Ke. Errors: too few
-/// blocks; voltages that don't reach far enough beyond the last knot; resistance and back-EMF constant that the blocks
-/// don't tell apart; a curve that doesn't rise.
+/// taken off, and a part of what that changes is in R's error. A supply that the board doesn't see falling takes
+/// Rs·(u/U)²·i away where it drives: Rs/R is an unknown beside, known to a few hundredths beforehand, so that R and Ke
+/// are free of it, or in doubt as far as the tests leave it open. The scale of f can't be seen: beyond the last knot f
+/// is taken to grow as the duty does, and a bridge that gives a common part less shows it in R, L and Ke. Errors: too
+/// few blocks; voltages that don't reach far enough beyond the last knot; resistance and back-EMF constant that the
+/// blocks don't tell apart; a curve that doesn't rise.
 Result<BridgeFit> fitBridge(const BridgeTests& tests);
 
 /// The back-EMF constant of the same fit, whatever curve the bridge has: where that curve, or the resistance, can't be
