@@ -1,5 +1,6 @@
 #include "pages/report_page.h"
 
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -112,6 +113,14 @@ QWidget* ReportPage::buildWords() {
   remarks_->setTabChangesFocus(true);
   remarks_->setFixedHeight(remarksHeight);
   columnOf(group)->addWidget(remarks_);
+  language_ = new QComboBox(group);
+  language_->setObjectName("reportLanguage");
+  language_->setAccessibleName(tr("Language of the report"));
+  language_->setToolTip(tr("The language in which the report is written; files that programs read stay as they are"));
+  language_->addItem(tr("In the window's language"), "");
+  language_->addItem(tr("In English"), "en");
+  language_->addItem(tr("In German"), "de");
+  columnOf(group)->addWidget(language_);
   columnOf(group)->addWidget(section(group, tr("Chapters")));
   chapters_ = new QListWidget(group);
   chapters_->setObjectName("reportChapters");
@@ -121,6 +130,7 @@ QWidget* ReportPage::buildWords() {
   columnOf(group)->addWidget(chapters_);
   connect(customer_, &QLineEdit::textChanged, &soon_, qOverload<>(&QTimer::start));
   connect(remarks_, &QPlainTextEdit::textChanged, &soon_, qOverload<>(&QTimer::start));
+  connect(language_, &QComboBox::currentIndexChanged, &soon_, qOverload<>(&QTimer::start));
   connect(chapters_, &QListWidget::itemChanged, &soon_, qOverload<>(&QTimer::start));
   connect(chapters_, &QListWidget::itemActivated, this, [](QListWidgetItem* item) {
     item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
@@ -156,19 +166,24 @@ void ReportPage::showAvailable() {
   soon_.start();
 }
 
+Catalogue ReportPage::words() const {
+  const QString chosen = language_->currentData().toString();
+  return wordsOf(chosen.isEmpty() ? spokenLanguage() : languageOf(chosen));
+}
+
 ReportPage::Draft ReportPage::draft() const {
   if (of_ == Of::friction) {
     if (!bench_.known().knows(Known::motor)) return {};
-    return [known = bench_.known()](const std::string& folder) {
-      return writeReport(known, false, folder + "/report.html");
+    return [known = bench_.known(), words = words()](const std::string& folder) {
+      return writeReport(known, false, folder + "/report.html", words);
     };
   }
   if (!comparison_.diagnosis() || !comparison_.bench() || !comparison_.recording()) return {};
   std::vector<Recording> heldout;
   if (comparison_.heldout()) heldout.push_back(*comparison_.heldout());
   return [diagnosis = *comparison_.diagnosis(), bench = *comparison_.bench(), recording = *comparison_.recording(),
-          heldout](const std::string& folder) {
-    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder);
+          heldout, words = words()](const std::string& folder) {
+    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder, words);
   };
 }
 

@@ -7,11 +7,13 @@
 #include <atomic>
 #include <functional>
 
+#include "base/catalogue.h"
 #include "base/result.h"
 #include "pages/page.h"
 #include "widgets/drawn_report.h"
 #include "widgets/file_chooser.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -53,6 +55,8 @@ class ReportPage : public Page {
   void choose(Of of);
   void showAvailable();
   Draft draft() const;
+  /// Of the language that was chosen for the report.
+  Catalogue words() const;
   ReportEdit edit() const;
   void preview();
   void showPreview(unsigned number, const Result<DrawnReport>& report);
@@ -71,6 +75,7 @@ class ReportPage : public Page {
   QPushButton* ofFriction_ = nullptr;
   QPushButton* ofComparison_ = nullptr;
   QLineEdit* customer_ = nullptr;
+  QComboBox* language_ = nullptr;
   QPlainTextEdit* remarks_ = nullptr;
   QListWidget* chapters_ = nullptr;
   QTextBrowser* text_ = nullptr;
