@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "session/live_history.h"
 #include "session/trigger.h"
 #include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
