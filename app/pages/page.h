@@ -33,7 +33,7 @@ class Page : public QWidget {
   /// Whether plots of what comes from the board have room below it.
   virtual bool wantsLive() const { return true; }
   /// What it needs beside something else.
-  int leastWidth_px() const { return 672; }
+  int leastWidth_px() const { return 656; }
   /// Whether something is under way whose end it waits for, so that it can't go now.
   virtual bool busy() const { return false; }
 

@@ -156,7 +156,7 @@ void TestBoardTuning::friction_isTheBestKnown() {
   QCOMPARE(known(bench(), found, {}).static_Nm, 0.0168);
   found.wiring = checked.wiring;
   QCOMPARE(known(bench(), found, {}).static_Nm, 0.07 * 0.35);
-  found.facts.add(Known::map);
+  found.facts.add({Known::map});
   found.map.bins.resize(1);
   found.map.bins[0].way[0].static_Nm.value = 0.020;
   found.map.bins[0].way[1].static_Nm.value = 0.022;

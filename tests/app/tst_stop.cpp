@@ -258,7 +258,7 @@ void TestStop::pausedPicture_staysWhileTheBoardGoesOn() {
   desk.session.live.take(later);
   plots->refresh();
   QVERIFY(history.at(history.first()).time_s > plots->to_s());
-  QCOMPARE(points(), before);
+  QVERIFY2(points() >= before && points() <= before + 2, "at most the last moment's extremes have come");
   QVERIFY2(graph->dataCount() < 20'000, "what is neither seen nor in the history goes");
   QCOMPARE(named<QLabel>(desk.window, "cursorDifference")->toolTip(), readings);
   const QTemporaryDir folder;
