@@ -106,8 +106,18 @@ void Page::addReading(const char* objectName) {
 
 void Page::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (narrow_ == (width() < narrowBelow_px)) return;
-  narrow_ = !narrow_;
+  fitIn();
+}
+
+void Page::setAlone(bool alone) {
+  alone_ = alone;
+  fitIn();
+}
+
+void Page::fitIn() {
+  const bool narrow = !alone_ && width() < narrowBelow_px;
+  if (narrow_ == narrow) return;
+  narrow_ = narrow;
   arrange();
 }
 

@@ -34,6 +34,8 @@ class Page : public QWidget {
   virtual bool wantsLive() const { return true; }
   /// What it needs beside something else.
   int leastWidth_px() const { return 656; }
+  /// Whether nothing stands beside it, or is about to: alone it asks for no more height than it needs then.
+  void setAlone(bool alone);
   /// Whether something is under way whose end it waits for, so that it can't go now.
   virtual bool busy() const { return false; }
 
@@ -68,6 +70,7 @@ class Page : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void fitIn();
   void arrange();
   /// Settings above the picture, as high as they are, or to its left, where they scroll.
   void stack(bool stacked);
@@ -79,7 +82,7 @@ class Page : public QWidget {
   ElidedLabel* sentence_ = nullptr;
   ElidedLabel* reading_ = nullptr;
   QFrame* readingFrame_ = nullptr;
-  bool narrow_ = false;
+  bool narrow_ = false, alone_ = true;
   QSpacerItem* gap_ = nullptr;    ///< before the buttons
   QVBoxLayout* words_ = nullptr;  ///< title and sentence
   QVBoxLayout* top_ = nullptr;    ///< the head's rows

@@ -4243,7 +4243,7 @@
     </message>
     <message>
         <source>Open or drop a recording and its bench file, or press Example</source>
-        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hierher ziehen, oder „Beispiel“ drücken</translation>
+        <translation>Aufzeichnung und Prüfstandsdatei öffnen oder herziehen, oder „Beispiel“</translation>
     </message>
 </context>
 <context>

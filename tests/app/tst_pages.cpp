@@ -244,6 +244,11 @@ void TestPages::parameters_leaveEveryPageItsWidth() {
     QTest::qWait(30);
     QVERIFY2(room->horizontalScrollBar()->maximum() == 0,
              qPrintable(QString("%1: %2").arg(page).arg(room->horizontalScrollBar()->maximum())));
+    // Without them it is as it was, and the window no larger.
+    desk.window.showParameters(false);
+    QTest::qWait(30);
+    QCOMPARE(desk.window.size(), QSize(1280, 720));
+    desk.window.showParameters(true);
   }
 }
 
