@@ -143,6 +143,12 @@ void ReportPage::showEvent(QShowEvent* event) {
   soon_.start();
 }
 
+/// Where four buttons have no room, that of what was written before goes.
+void ReportPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  open_->setVisible(!narrow());
+}
+
 void ReportPage::choose(Of of) {
   if (of_ != of) showChapters({});
   of_ = of;

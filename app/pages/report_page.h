@@ -44,6 +44,7 @@ class ReportPage : public Page {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum class Of { friction, comparison };
