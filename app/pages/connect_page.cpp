@@ -120,13 +120,14 @@ QWidget* ConnectPage::buildIdentity() {
   head->addWidget(buildMotion());
   column->addLayout(head);
   auto* tables = new QHBoxLayout;
-  tables->setSpacing(40);
+  tables->setSpacing(24);
   facts_ = new FactsTable("identityTable", side);
   controller_ = new FactsTable("controllerTable", side);
   tables->addWidget(facts_, 0, Qt::AlignTop);
   tables->addWidget(controller_, 0, Qt::AlignTop);
   cannot_ = explanation(side, {}, "cannotLine");
-  tables->addWidget(cannot_, 1, Qt::AlignTop);
+  tables->addWidget(cannot_, 100, Qt::AlignTop);
+  tables->addStretch(1);
   column->addLayout(tables);
   column->addStretch(1);
   side->setMinimumHeight(identityHeight);  // as much as the longest identity takes: what is below stays where it is
@@ -252,6 +253,7 @@ void ConnectPage::showIdentity() {
   const Identity& identity = connection_.identity();
   const ControllerSettings& settings = connection_.settings();
   cannot_->setText(connection_.connected() ? cannotWords(identity) : QString());
+  cannot_->setVisible(!cannot_->text().isEmpty());  // its place is the tables'
   if (!connection_.connected()) {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});
