@@ -52,7 +52,8 @@ Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWid
 }
 
 void Page::setHead(const QString& title, const QString& sentence) {
-  head_->setText(title);
+  heading_ = title;
+  head_->setText(narrow_ ? title_ : heading_);
   sentence_->setText(sentence);
 }
 
@@ -124,6 +125,7 @@ void Page::fitIn() {
 void Page::arrange() {
   (narrow_ ? top_ : words_)->addWidget(sentence_);
   gap_->changeSize(narrow_ ? 0 : gutter - 8, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  head_->setText(narrow_ ? title_ : heading_);
   if (!staysBeside()) stack(narrow_);
   if (readingFrame_ != nullptr) (narrow_ ? static_cast<QVBoxLayout*>(layout()) : picture_)->addWidget(readingFrame_);
 }
@@ -144,14 +146,16 @@ void Page::stack(bool stacked) {
 }
 
 void Page::giveSettingsTheirHeight() {
-  settingsArea_->setFixedHeight(settingsArea_->widget()->sizeHint().height());
+  const int width_px = settingsArea_->viewport()->width();
+  settingsArea_->setFixedHeight(settings_->hasHeightForWidth() ? settings_->totalHeightForWidth(width_px)
+                                                               : settings_->totalSizeHint().height());
 }
 
-/// What the settings say has changed.
+/// What the settings say has changed, or their width.
 bool Page::eventFilter(QObject* watched, QEvent* event) {
   const bool ofSettings = settingsArea_ != nullptr && watched == settingsArea_->widget();
-  if (ofSettings && event->type() == QEvent::LayoutRequest && body_->direction() == QBoxLayout::TopToBottom)
-    giveSettingsTheirHeight();
+  const bool changed = event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize;
+  if (ofSettings && changed && body_->direction() == QBoxLayout::TopToBottom) giveSettingsTheirHeight();
   return QWidget::eventFilter(watched, event);
 }
 

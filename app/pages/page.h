@@ -76,7 +76,7 @@ class Page : public QWidget {
   void stack(bool stacked);
   void giveSettingsTheirHeight();
 
-  QString title_;
+  QString title_, heading_;
   StepState state_;
   ElidedLabel* head_ = nullptr;
   ElidedLabel* sentence_ = nullptr;

@@ -13,6 +13,8 @@
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "report/commission_report.h"
@@ -231,17 +233,24 @@ void ReportPage::showPreview(unsigned number, const Result<DrawnReport>& report)
   showChapters(report->chapters);
 }
 
-/// What was unticked stays so, as long as the chapters are the same.
+/// What was unticked stays so, as long as the chapters are the same, in whatever language.
 void ReportPage::showChapters(const QStringList& chapters) {
   QStringList before;
-  for (int row = 0; row < chapters_->count(); ++row) before << chapters_->item(row)->text();
+  std::vector<Qt::CheckState> ticks;
+  for (int row = 0; row < chapters_->count(); ++row) {
+    before << chapters_->item(row)->text();
+    ticks.push_back(chapters_->item(row)->checkState());
+  }
   if (before == chapters) return;
+  if (before.size() != chapters.size()) ticks.assign(static_cast<size_t>(chapters.size()), Qt::Checked);
+  // What is shown was made with the names of the other language.
+  if (std::find(ticks.begin(), ticks.end(), Qt::Unchecked) != ticks.end()) soon_.start();
   const QSignalBlocker quiet(chapters_);
   chapters_->clear();
   for (const QString& one : chapters) {
     auto* item = new QListWidgetItem(one, chapters_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(Qt::Checked);
+    item->setCheckState(ticks[static_cast<size_t>(chapters_->count()) - 1]);
     item->setSizeHint({0, chapterHeight});
   }
 }

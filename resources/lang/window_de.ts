@@ -1704,7 +1704,7 @@
     </message>
     <message>
         <source>Choose a board and connect. Nothing moves, and nothing is written to it.</source>
-        <translation>Ein Board wählen und verbinden. Nichts bewegt sich, und nichts wird darauf geschrieben.</translation>
+        <translation>Ein Board wählen und verbinden. Nichts bewegt sich, nichts wird geschrieben.</translation>
     </message>
     <message>
         <source>Disconnect</source>
