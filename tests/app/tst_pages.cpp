@@ -244,8 +244,8 @@ void TestPages::parameters_leaveEveryPageItsWidth() {
     QTest::qWait(30);
     QVERIFY2(room->horizontalScrollBar()->maximum() == 0,
              qPrintable(QString("%1: %2").arg(page).arg(room->horizontalScrollBar()->maximum())));
-    if (const int high = named<QWidget>(desk.window, "rotorDial")->height(); QString(page) == "homePage")
-      QVERIFY2(high > 260, qPrintable(QString::number(high)));
+    if (QString(page) == "homePage")
+      QVERIFY(named<QWidget>(*named<QWidget>(desk.window, page), "rotorDial")->height() > 260);
     // Without them it is as it was, and the window no larger.
     desk.window.showParameters(false);
     QTest::qWait(30);
