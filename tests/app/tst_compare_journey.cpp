@@ -10,7 +10,10 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTableWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QThread>
 #include <cmath>
 
@@ -183,6 +186,18 @@ void TestCompareJourney::example_isDiagnosed() {
   QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(desk.window, "openReportButton")->isEnabled(), patience_ms);
   QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
   QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
+  // A picture after a list is none of its items.
+  auto* preview = named<QTextBrowser>(desk.window, "reportPreview");
+  press(desk.window, "reportOfComparison");
+  QTRY_VERIFY_WITH_TIMEOUT(preview->toPlainText().contains("Where it shows"), patience_ms);
+  size_t pictures = 0;
+  for (QTextBlock block = preview->document()->begin(); block.isValid(); block = block.next()) {
+    if (!block.text().contains(QChar::ObjectReplacementCharacter)) continue;
+    QVERIFY2(block.textList() == nullptr, qPrintable(block.text()));
+    ++pictures;
+  }
+  QVERIFY(pictures > 3);
+  QCOMPARE(preview->horizontalScrollBar()->maximum(), 0);
   // In German all of it but what programs read, and where formulas come from.
   QTemporaryDir other;
   desk.answers.byTitle["Write the comparison's report into a folder"] = other.path();
