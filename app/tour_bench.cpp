@@ -140,6 +140,10 @@ void Tour::parameters(const QString& profile) {
   table->item(9, 3)->setText("1000");
   shoot("parameters-refused");
   session_.edits.revertAll();
+  for (const char* page : {"identify", "friction", "home"}) {
+    window_.showPage(QString("%1Page").arg(page));
+    shoot(QString("parameters-%1").arg(page));
+  }
   window_.showParameters(false);
   window_.showPage("connectPage");
 }
@@ -177,6 +181,11 @@ void Tour::identify() {
     trouble_ = "the identification did not end";
   session_.connection.setPace(4.0);
   shoot("identify-done");
+  for (const char* step : {"Winding", "Spin", "Reversal"}) {
+    press(qPrintable(QString("testsOf%1").arg(step)));
+    shoot(QString("identify-%1").arg(QString(step).toLower()));
+  }
+  press("testsOfAll");
 }
 
 void Tour::home() {

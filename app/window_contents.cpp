@@ -141,6 +141,7 @@ void WindowContents::countEdits(const SettingsEdits& edits) {
 void WindowContents::showParameters(bool open) {
   keepParametersOpen(open);
   if (open) showLiveLarge(false);
+  for (Page* page : pages_) page->setAlone(!open);
   room_->setScrolls(open);
   parameters_->setVisible(open);
   fitLive();

@@ -23,7 +23,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int stateLines = 4, identityHeight = 212, turnWidth = 120;
+constexpr int stateLines = 4, identityHeight = 212, turnWidth = 120, connectWidth = 144;
 
 /// A rig file's name without its folders.
 QString shortAddress(const QString& uri) {
@@ -57,7 +57,8 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, ProfileCompar
       profile_(profile),
       files_(files) {
   setHead(tr("Connect"), tr("Choose a board and connect. Nothing moves, and nothing is written to it."));
-  connect_ = addPrimary("connectButton", tr("Connect"));
+  goOn_ = addPrimary("goOnButton", tr("Identify the motor"));
+  connect_ = addSecondary("connectButton", tr("Connect"), connectWidth);
   disconnect_ = addSecondary("disconnectButton", tr("Disconnect"));
   settings()->addWidget(buildBoards(), 1);
   picture()->addWidget(buildIdentity());
@@ -100,6 +101,7 @@ QWidget* ConnectPage::buildBoards() {
   connect(state_, &QLabel::linkActivated, this, &ConnectPage::pageAsked);
   column->addWidget(state_);
   connect(connect_, &QPushButton::clicked, this, &ConnectPage::connectChosen);
+  connect(goOn_, &QPushButton::clicked, this, [this] { emit pageAsked(nextPage()); });
   connect(open, &QPushButton::clicked, this, &ConnectPage::openRig);
   connect(boards_, &QListWidget::itemActivated, this, &ConnectPage::connectChosen);
   connect(boards_, &QListWidget::currentRowChanged, this, [this] {
@@ -118,13 +120,14 @@ QWidget* ConnectPage::buildIdentity() {
   head->addWidget(buildMotion());
   column->addLayout(head);
   auto* tables = new QHBoxLayout;
-  tables->setSpacing(40);
+  tables->setSpacing(24);
   facts_ = new FactsTable("identityTable", side);
   controller_ = new FactsTable("controllerTable", side);
   tables->addWidget(facts_, 0, Qt::AlignTop);
   tables->addWidget(controller_, 0, Qt::AlignTop);
   cannot_ = explanation(side, {}, "cannotLine");
-  tables->addWidget(cannot_, 1, Qt::AlignTop);
+  tables->addWidget(cannot_, 100, Qt::AlignTop);
+  tables->addStretch(1);
   column->addLayout(tables);
   column->addStretch(1);
   side->setMinimumHeight(identityHeight);  // as much as the longest identity takes: what is below stays where it is
@@ -175,6 +178,7 @@ void ConnectPage::showConnection() {
   dressAs(connect_, "role", anew ? QString() : "primary");  // what is connected asks for nothing here
   setAvailable(connect_, !address_->text().trimmed().isEmpty(), tr("Connect to this address; the motor stays off"),
                tr("No board is chosen in the list, and no address is given"));
+  showNext();
   setAvailable(pace_, simulated,
                tr("How fast time passes on the simulated board: at 20 × real time a sweep of 20 minutes takes one"),
                connected ? tr("A real board keeps its own time") : tr("No board is connected"));
@@ -185,6 +189,19 @@ void ConnectPage::showConnection() {
   showState();
   showIdentity();
   showMotion();
+}
+
+QString ConnectPage::nextPage() const {
+  return obstacleTo(Task::identification, connection_.identity()).empty() ? "identifyPage" : "handPage";
+}
+
+/// Of what is at the head, one is to be pressed: to connect, and then to go on.
+void ConnectPage::showNext() {
+  const bool connected = connection_.connected();
+  goOn_->setText(connected && nextPage() == "handPage" ? tr("Go on to Drive by hand") : tr("Go on to Identify"));
+  goOn_->setAccessibleName(goOn_->text());
+  dressAs(goOn_, "role", connected ? "primary" : QString());
+  setAvailable(goOn_, connected, tr("The next step; nothing moves before it is asked to"), tr("No board is connected"));
 }
 
 void ConnectPage::showState() {
@@ -236,6 +253,7 @@ void ConnectPage::showIdentity() {
   const Identity& identity = connection_.identity();
   const ControllerSettings& settings = connection_.settings();
   cannot_->setText(connection_.connected() ? cannotWords(identity) : QString());
+  cannot_->setVisible(!cannot_->text().isEmpty());  // its place is the tables'
   if (!connection_.connected()) {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});

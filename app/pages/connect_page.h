@@ -32,7 +32,10 @@ class ConnectPage : public Page {
   StepState railState() const;
   void connectChosen();
   void openRig();
+  /// What follows once a board is connected.
+  QString nextPage() const;
   void showConnection();
+  void showNext();
   void showState();
   void showIdentity();
   void showMotion();
@@ -46,6 +49,7 @@ class ConnectPage : public Page {
   QLabel* state_ = nullptr;
   QLabel* cannot_ = nullptr;
   QPushButton* connect_ = nullptr;
+  QPushButton* goOn_ = nullptr;
   QPushButton* disconnect_ = nullptr;
   QPushButton* turn_ = nullptr;
   QComboBox* pace_ = nullptr;

@@ -142,6 +142,8 @@ QWidget* FrictionPage::buildSweep() {
   row(duration_);
   columnOf(group)->addLayout(grid);
   run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial}, group);
+  run_->leadOn(RunKind::breakaway, "reportPage", tr("Report"));
+  connect(run_, &RunPanel::pageAsked, this, &Page::pageAsked);
   anew_ = pushButton(group, "startAnewButton", tr("Start anew"));
   auto* under = new QHBoxLayout;
   under->setSpacing(8);

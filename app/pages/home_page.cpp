@@ -61,6 +61,8 @@ QWidget* HomePage::buildPlan() {
   plan_ = explanation(group, {}, "homingPlan");
   column->addWidget(plan_);
   run_ = new RunPanel("homingRun", {RunKind::homing}, group);
+  run_->leadOn(RunKind::homing, "frictionPage", tr("Friction"));
+  connect(run_, &RunPanel::pageAsked, this, &Page::pageAsked);
   column->addWidget(run_);
   return group;
 }

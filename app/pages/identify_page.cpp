@@ -44,6 +44,8 @@ IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* pa
   settings()->setSpacing(8);
   settings()->addStretch(1);
   run_ = new RunPanel("identifyRun", {RunKind::wiring, RunKind::identification}, this);
+  run_->leadOn(RunKind::identification, "tunePage", tr("Tune"));
+  connect(run_, &RunPanel::pageAsked, this, &Page::pageAsked);
   auto* frame = card(this);
   columnOf(frame)->setContentsMargins(8, 8, 8, 8);
   tests_ = new MotorTestsPlot(frame);
@@ -63,6 +65,7 @@ IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* pa
   connect(&connection_, &Connection::runChanged, this, &IdentifyPage::showSteps);
   connect(&bench_, &BenchRuns::knownChanged, this, &IdentifyPage::showSteps);
   connect(&bench_, &BenchRuns::knownChanged, this, [this] { tests_->show(bench_.known()); });
+  connect(tests_, &MotorTestsPlot::chosen, this, [this] { tests_->show(bench_.known()); });
   tests_->show(bench_.known());
   showSteps();
 }

@@ -1,5 +1,6 @@
 #include "pages/page.h"
 
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -15,7 +16,7 @@ namespace breakaway {
 
 namespace {
 constexpr int margin = 16, gutter = 24, headButtonHeight = 32, primaryWidth = 224, readingHeight = 28,
-              narrowBelow_px = 1000;
+              narrowBelow_px = 1000, stackedGap = 12;
 }  // namespace
 
 Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
@@ -51,7 +52,8 @@ Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWid
 }
 
 void Page::setHead(const QString& title, const QString& sentence) {
-  head_->setText(title);
+  heading_ = title;
+  head_->setText(narrow_ ? title_ : heading_);
   sentence_->setText(sentence);
 }
 
@@ -86,6 +88,8 @@ QVBoxLayout* Page::settings() {
   area->viewport()->setAutoFillBackground(false);
   content->setAutoFillBackground(false);
   body_->insertWidget(0, area);
+  settingsArea_ = area;
+  content->installEventFilter(this);
   return settings_;
 }
 
@@ -103,15 +107,56 @@ void Page::addReading(const char* objectName) {
 
 void Page::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (narrow_ == (width() < narrowBelow_px)) return;
-  narrow_ = !narrow_;
+  fitIn();
+}
+
+void Page::setAlone(bool alone) {
+  alone_ = alone;
+  fitIn();
+}
+
+void Page::fitIn() {
+  const bool narrow = !alone_ && width() < narrowBelow_px;
+  if (narrow_ == narrow) return;
+  narrow_ = narrow;
   arrange();
 }
 
 void Page::arrange() {
   (narrow_ ? top_ : words_)->addWidget(sentence_);
   gap_->changeSize(narrow_ ? 0 : gutter - 8, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  head_->setText(narrow_ ? title_ : heading_);
+  if (!staysBeside()) stack(narrow_);
   if (readingFrame_ != nullptr) (narrow_ ? static_cast<QVBoxLayout*>(layout()) : picture_)->addWidget(readingFrame_);
+}
+
+void Page::stack(bool stacked) {
+  body_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  body_->setSpacing(stacked ? stackedGap : gutter);
+  if (settingsArea_ == nullptr) return;
+  if (stacked) {
+    settingsArea_->setMinimumWidth(0);
+    settingsArea_->setMaximumWidth(QWIDGETSIZE_MAX);
+    giveSettingsTheirHeight();
+  } else {
+    settingsArea_->setFixedWidth(settingsWidth);
+    settingsArea_->setMinimumHeight(0);
+    settingsArea_->setMaximumHeight(QWIDGETSIZE_MAX);
+  }
+}
+
+void Page::giveSettingsTheirHeight() {
+  const int width_px = settingsArea_->viewport()->width();
+  settingsArea_->setFixedHeight(settings_->hasHeightForWidth() ? settings_->totalHeightForWidth(width_px)
+                                                               : settings_->totalSizeHint().height());
+}
+
+/// What the settings say has changed, or their width.
+bool Page::eventFilter(QObject* watched, QEvent* event) {
+  const bool ofSettings = settingsArea_ != nullptr && watched == settingsArea_->widget();
+  const bool changed = event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize;
+  if (ofSettings && changed && body_->direction() == QBoxLayout::TopToBottom) giveSettingsTheirHeight();
+  return QWidget::eventFilter(watched, event);
 }
 
 void Page::read(const QString& text) {

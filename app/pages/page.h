@@ -12,6 +12,7 @@ class QFrame;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSpacerItem;
 class QVBoxLayout;
 
@@ -31,8 +32,10 @@ class Page : public QWidget {
   virtual bool isTool() const { return false; }
   /// Whether plots of what comes from the board have room below it.
   virtual bool wantsLive() const { return true; }
-  /// What it needs beside something else; by default what a page has on the smallest screen, beside the rail.
-  virtual int leastWidth_px() const { return 1112; }
+  /// What it needs beside something else.
+  int leastWidth_px() const { return 656; }
+  /// Whether nothing stands beside it, or is about to: alone it asks for no more height than it needs then.
+  void setAlone(bool alone);
   /// Whether something is under way whose end it waits for, so that it can't go now.
   virtual bool busy() const { return false; }
 
@@ -58,26 +61,35 @@ class Page : public QWidget {
   void addReading(const char* objectName);
   void read(const QString& text);
   void setState(const StepState& state);
-  /// Beside something else there is less room: the sentence goes beneath the buttons, the reading line beneath all.
+  /// Whether settings and picture stand side by side even where there is little room.
+  virtual bool staysBeside() const { return false; }
+  /// Beside something else there is less room: the sentence goes beneath the buttons, the picture beneath the settings,
+  /// the reading line beneath all; what is higher than the window scrolls.
   bool narrow() const { return narrow_; }
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void fitIn();
   void arrange();
+  /// Settings above the picture, as high as they are, or to its left, where they scroll.
+  void stack(bool stacked);
+  void giveSettingsTheirHeight();
 
-  QString title_;
+  QString title_, heading_;
   StepState state_;
   ElidedLabel* head_ = nullptr;
   ElidedLabel* sentence_ = nullptr;
   ElidedLabel* reading_ = nullptr;
   QFrame* readingFrame_ = nullptr;
-  bool narrow_ = false;
+  bool narrow_ = false, alone_ = true;
   QSpacerItem* gap_ = nullptr;    ///< before the buttons
   QVBoxLayout* words_ = nullptr;  ///< title and sentence
   QVBoxLayout* top_ = nullptr;    ///< the head's rows
   QHBoxLayout* buttons_ = nullptr;
   QHBoxLayout* body_ = nullptr;
   QVBoxLayout* settings_ = nullptr;
+  QScrollArea* settingsArea_ = nullptr;
   QVBoxLayout* picture_ = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include "pages/report_page.h"
 
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,6 +13,8 @@
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "report/commission_report.h"
@@ -112,6 +115,14 @@ QWidget* ReportPage::buildWords() {
   remarks_->setTabChangesFocus(true);
   remarks_->setFixedHeight(remarksHeight);
   columnOf(group)->addWidget(remarks_);
+  language_ = new QComboBox(group);
+  language_->setObjectName("reportLanguage");
+  language_->setAccessibleName(tr("Language of the report"));
+  language_->setToolTip(tr("The language in which the report is written; files that programs read stay as they are"));
+  language_->addItem(tr("In the window's language"), "");
+  language_->addItem(tr("In English"), "en");
+  language_->addItem(tr("In German"), "de");
+  columnOf(group)->addWidget(language_);
   columnOf(group)->addWidget(section(group, tr("Chapters")));
   chapters_ = new QListWidget(group);
   chapters_->setObjectName("reportChapters");
@@ -121,6 +132,7 @@ QWidget* ReportPage::buildWords() {
   columnOf(group)->addWidget(chapters_);
   connect(customer_, &QLineEdit::textChanged, &soon_, qOverload<>(&QTimer::start));
   connect(remarks_, &QPlainTextEdit::textChanged, &soon_, qOverload<>(&QTimer::start));
+  connect(language_, &QComboBox::currentIndexChanged, &soon_, qOverload<>(&QTimer::start));
   connect(chapters_, &QListWidget::itemChanged, &soon_, qOverload<>(&QTimer::start));
   connect(chapters_, &QListWidget::itemActivated, this, [](QListWidgetItem* item) {
     item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
@@ -131,6 +143,12 @@ QWidget* ReportPage::buildWords() {
 void ReportPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
   soon_.start();
+}
+
+/// Where four buttons have no room, that of what was written before goes.
+void ReportPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  open_->setVisible(!narrow());
 }
 
 void ReportPage::choose(Of of) {
@@ -156,19 +174,24 @@ void ReportPage::showAvailable() {
   soon_.start();
 }
 
+Catalogue ReportPage::words() const {
+  const QString chosen = language_->currentData().toString();
+  return wordsOf(chosen.isEmpty() ? spokenLanguage() : languageOf(chosen));
+}
+
 ReportPage::Draft ReportPage::draft() const {
   if (of_ == Of::friction) {
     if (!bench_.known().knows(Known::motor)) return {};
-    return [known = bench_.known()](const std::string& folder) {
-      return writeReport(known, false, folder + "/report.html");
+    return [known = bench_.known(), words = words()](const std::string& folder) {
+      return writeReport(known, false, folder + "/report.html", words);
     };
   }
   if (!comparison_.diagnosis() || !comparison_.bench() || !comparison_.recording()) return {};
   std::vector<Recording> heldout;
   if (comparison_.heldout()) heldout.push_back(*comparison_.heldout());
   return [diagnosis = *comparison_.diagnosis(), bench = *comparison_.bench(), recording = *comparison_.recording(),
-          heldout](const std::string& folder) {
-    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder);
+          heldout, words = words()](const std::string& folder) {
+    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder, words);
   };
 }
 
@@ -210,17 +233,24 @@ void ReportPage::showPreview(unsigned number, const Result<DrawnReport>& report)
   showChapters(report->chapters);
 }
 
-/// What was unticked stays so, as long as the chapters are the same.
+/// What was unticked stays so, as long as the chapters are the same, in whatever language.
 void ReportPage::showChapters(const QStringList& chapters) {
   QStringList before;
-  for (int row = 0; row < chapters_->count(); ++row) before << chapters_->item(row)->text();
+  std::vector<Qt::CheckState> ticks;
+  for (int row = 0; row < chapters_->count(); ++row) {
+    before << chapters_->item(row)->text();
+    ticks.push_back(chapters_->item(row)->checkState());
+  }
   if (before == chapters) return;
+  if (before.size() != chapters.size()) ticks.assign(static_cast<size_t>(chapters.size()), Qt::Checked);
+  // What is shown was made with the names of the other language.
+  if (std::find(ticks.begin(), ticks.end(), Qt::Unchecked) != ticks.end()) soon_.start();
   const QSignalBlocker quiet(chapters_);
   chapters_->clear();
   for (const QString& one : chapters) {
     auto* item = new QListWidgetItem(one, chapters_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(Qt::Checked);
+    item->setCheckState(ticks[static_cast<size_t>(chapters_->count()) - 1]);
     item->setSizeHint({0, chapterHeight});
   }
 }

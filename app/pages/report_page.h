@@ -7,11 +7,13 @@
 #include <atomic>
 #include <functional>
 
+#include "base/catalogue.h"
 #include "base/result.h"
 #include "pages/page.h"
 #include "widgets/drawn_report.h"
 #include "widgets/file_chooser.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -42,6 +44,7 @@ class ReportPage : public Page {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum class Of { friction, comparison };
@@ -53,6 +56,8 @@ class ReportPage : public Page {
   void choose(Of of);
   void showAvailable();
   Draft draft() const;
+  /// Of the language that was chosen for the report.
+  Catalogue words() const;
   ReportEdit edit() const;
   void preview();
   void showPreview(unsigned number, const Result<DrawnReport>& report);
@@ -71,6 +76,7 @@ class ReportPage : public Page {
   QPushButton* ofFriction_ = nullptr;
   QPushButton* ofComparison_ = nullptr;
   QLineEdit* customer_ = nullptr;
+  QComboBox* language_ = nullptr;
   QPlainTextEdit* remarks_ = nullptr;
   QListWidget* chapters_ = nullptr;
   QTextBrowser* text_ = nullptr;

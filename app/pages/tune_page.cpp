@@ -393,6 +393,7 @@ void TunePage::foretell() {
     PreviewQuestion question{connection_.identity(), edits_.edited(), motor, friction.coulomb_Nm, step()};
     question.mode = position_ ? ServoMode::position : ServoMode::velocity;
     question.to_rad = positionStep().by_rad;
+    question.static_Nm = friction.static_Nm;
     preview_ = previewOf(question);
     question.settings = edits_.accepted();
     if (edits_.count() > 0) onBoard_ = previewOf(question);

@@ -34,11 +34,11 @@ class TunePage : public Page {
  public:
   TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edits, QWidget* parent = nullptr);
   /// Beside the parameters the step is left of its plots.
-  int leastWidth_px() const override { return 672; }
   /// Of what is set on the page, as far as it was computed.
   const TuningPreview& preview() const { return preview_; }
 
  protected:
+  bool staysBeside() const override { return true; }
   void resizeEvent(QResizeEvent* event) override;
 
  private:

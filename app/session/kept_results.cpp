@@ -3,6 +3,7 @@
 #include "base/uuid.h"
 #include "report/commission_report.h"
 #include "report/diagnosis_report.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -23,7 +24,9 @@ void KeptResults::keepRun(const RunSnapshot& snapshot) {
   const KnownPtr done = *known;
   if (map && done->knows(Known::map)) {
     run.kind = "commission";
-    run.write = [done](const std::string& folder) { return writeCommission(*done, {}, folder); };
+    run.write = [done, words = wordsOf(spokenLanguage())](const std::string& folder) {
+      return writeCommission(*done, {}, folder, words);
+    };
     project_.put(run, [this, device = done->identity.device] { emit mapKept(device); });
   } else if (snapshot.kind == RunKind::identification && done->knows(Known::motor)) {
     run.kind = "identification";
@@ -41,8 +44,8 @@ void KeptResults::keepDiagnosis() {
   run.at = utcNow();
   run.motor = bench->motorSerial;
   run.write = [diagnosis = *diagnosis, bench = *bench, recordings = comparison_.recordings(),
-               heldout = comparison_.allHeldout()](const std::string& folder) {
-    return writeDiagnosisFolder(diagnosis, bench, recordings, heldout, folder);
+               heldout = comparison_.allHeldout(), words = wordsOf(spokenLanguage())](const std::string& folder) {
+    return writeDiagnosisFolder(diagnosis, bench, recordings, heldout, folder, words);
   };
   project_.put(run);
 }

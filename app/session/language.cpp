@@ -63,6 +63,11 @@ Result<Catalogue> catalogueOf(Language language) {
   return Catalogue::read(file.readAll().toStdString());
 }
 
+Catalogue wordsOf(Language language) {
+  auto catalogue = catalogueOf(language);
+  return catalogue ? std::move(*catalogue) : Catalogue();
+}
+
 Language spokenAs(Language language) {
   if (language != Language::system) return language;
   return QLocale::system().language() == QLocale::German ? Language::german : Language::english;

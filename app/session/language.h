@@ -33,5 +33,7 @@ QString nameInLanguage(const std::string& name);
 
 /// Of a language that isn't English; empty, and an error, if this build holds none.
 Result<Catalogue> catalogueOf(Language language);
+/// The same for what is written in it; English where there is none.
+Catalogue wordsOf(Language language);
 
 }  // namespace breakaway

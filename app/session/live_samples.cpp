@@ -55,8 +55,8 @@ Result<Recording> LiveSamples::sealed(const char* name, const std::vector<Sample
   return sealSamples(name, samples, {{"device", board_.device}, {"firmware", board_.firmware}}, board_.axis);
 }
 
-Result<Recording> LiveSamples::stretch(double from_s, double to_s) const {
-  return sealed("visible stretch", history_.between(from_s, to_s));
+Result<Recording> LiveSamples::stretch(const LiveHistory& view, double from_s, double to_s) const {
+  return sealed("visible stretch", view.between(from_s, to_s));
 }
 
 void LiveSamples::startRecording() {

@@ -36,8 +36,8 @@ class LiveSamples : public QObject {
   /// When its link was lost last, by the history's clock. When the same board is there again, the history goes on, and
   /// leaves out the time between.
   std::optional<double> lost_s() const { return lost_s_; }
-  /// Every sample with from ≤ time ≤ to. Errors: sealSamples()'s.
-  Result<Recording> stretch(double from_s, double to_s) const;
+  /// Every sample of `view`, the history or a copy of it, with from ≤ time ≤ to. Errors: sealSamples()'s.
+  Result<Recording> stretch(const LiveHistory& view, double from_s, double to_s) const;
 
   /// A recording of everything at the full rate. Does nothing without a board.
   void startRecording();

@@ -37,6 +37,7 @@ StepCurve foretold(const ServoLoop& loop, const PreviewQuestion& question) {
   wanted.after_s = question.step.after_s;
   wanted.supply_V = question.identity.supply_V;
   wanted.coulomb_Nm = question.coulomb_Nm;
+  wanted.static_Nm = question.static_Nm;
   PredictedStep step = predictStep(loop, wanted);
   const bool position = loop.mode == ServoMode::position;
   StepCurve curve{std::move(step.time_s),
@@ -68,6 +69,14 @@ std::optional<double> coulombIn(const StepResult& step, const LoopMotor& motor) 
   return std::max(0.0, std::copysign(1.0, to) * drive_Nm / static_cast<double>(count));
 }
 
+/// The torque at which the wiring check saw the shaft break loose, mean of both ways.
+std::optional<double> breakawayInWiring(const Commission& known, const LoopMotor& motor) {
+  if (!known.wiring) return {};
+  const auto &down = known.wiring->breakaway_A[0], &up = known.wiring->breakaway_A[1];
+  if (!down || !up) return {};
+  return 0.5 * motor.torqueConstant_Nm_per_A * (down->value + up->value);
+}
+
 }  // namespace
 
 TuningPreview previewOf(const PreviewQuestion& question) {
@@ -96,19 +105,35 @@ TuningPreview previewOf(const PreviewQuestion& question) {
   return preview;
 }
 
+namespace {
+
+KnownFriction knownCoulomb(const std::optional<Bench>& bench, const Commission& known,
+                           const std::vector<StepResult>& steps, const LoopMotor& motor) {
+  if (const auto average = known.coulombAverage_Nm()) return {average->value, 0.0, FrictionSource::identification};
+  if (known.knows(Known::motor))
+    return {std::max(0.0, known.motor.coulomb_Nm.value), 0.0, FrictionSource::identification};
+  for (size_t k = steps.size(); k-- > 0;) {
+    if (const auto seen_Nm = coulombIn(steps[k], motor)) return {*seen_Nm, 0.0, FrictionSource::step};
+  }
+  if (bench && bench->motor.coulomb) return {*bench->motor.coulomb, 0.0, FrictionSource::benchFile};
+  if (const auto seen_Nm = breakawayInWiring(known, motor)) return {*seen_Nm, 0.0, FrictionSource::wiring};
+  return {};
+}
+
+}  // namespace
+
 KnownFriction knownFriction(const std::optional<Bench>& bench, const Commission& known,
                             const std::vector<StepResult>& steps, const LoopMotor& motor) {
-  if (const auto average = known.coulombAverage_Nm()) return {average->value, FrictionSource::identification};
-  if (known.knows(Known::motor)) return {std::max(0.0, known.motor.coulomb_Nm.value), FrictionSource::identification};
-  for (size_t k = steps.size(); k-- > 0;) {
-    if (const auto seen_Nm = coulombIn(steps[k], motor)) return {*seen_Nm, FrictionSource::step};
+  KnownFriction friction = knownCoulomb(bench, known, steps, motor);
+  double standing_Nm = 0.0;
+  if (known.knows(Known::map) && !known.map.bins.empty()) {
+    for (const MapBin& bin : known.map.bins) standing_Nm += bin.staticFriction_Nm();
+    standing_Nm /= static_cast<double>(known.map.bins.size());
+  } else if (const auto seen_Nm = breakawayInWiring(known, motor)) {
+    standing_Nm = *seen_Nm;
   }
-  if (bench && bench->motor.coulomb) return {*bench->motor.coulomb, FrictionSource::benchFile};
-  if (known.wiring) {
-    const auto &down = known.wiring->breakaway_A[0], &up = known.wiring->breakaway_A[1];
-    if (down && up) return {0.5 * motor.torqueConstant_Nm_per_A * (down->value + up->value), FrictionSource::wiring};
-  }
-  return {};
+  friction.static_Nm = std::max(friction.coulomb_Nm, standing_Nm);
+  return friction;
 }
 
 Grade gradeOfPhase(const LoopMargins& margins) {

@@ -35,6 +35,7 @@ struct PreviewQuestion {
   VelocityStepOptions step;
   ServoMode mode = ServoMode::velocity;  ///< or position
   double to_rad = 0.0;                   ///< the step in position mode
+  double static_Nm = 0.0;                ///< at which the standing shaft breaks loose
 };
 
 /// Some milliseconds of computing; a pure function.
@@ -44,12 +45,14 @@ TuningPreview previewOf(const PreviewQuestion& question);
 enum class FrictionSource { identification, step, benchFile, wiring, none };
 struct KnownFriction {
   double coulomb_Nm = 0.0;  ///< N on a linear axis
+  double static_Nm = 0.0;   ///< at which a standing shaft breaks loose; as much at least
   FrictionSource source = FrictionSource::none;
 };
 
 /// By sweep or identification; else by what the newest measured velocity step of `steps` took at its end; else by the
 /// bench file; else by the currents at which the wiring check saw the shaft break loose, mean of both ways. Currents
-/// are taken by the torque constant of `motor`, those of a step less its viscous part.
+/// are taken by the torque constant of `motor`, those of a step less its viscous part. What a standing shaft bears is
+/// the map's, else what the wiring check saw, else the same.
 KnownFriction knownFriction(const std::optional<Bench>& bench, const Commission& known,
                             const std::vector<StepResult>& steps, const LoopMotor& motor);
 

@@ -78,6 +78,12 @@ BoardBar::BoardBar(Connection& connection, QWidget* parent) : QWidget(parent), c
   stop_->setAccessibleName(tr("Stop the motor"));
   stop_->setToolTip(tr("Stop the motor at once and open its windings. Esc and Space do the same from anywhere."));
   stop_->setFixedSize(160, 36);
+  auto* key = new QLabel(tr("Esc"), stop_);
+  key->setObjectName("stopKey");
+  key->setFont(typed(Type::caption));
+  key->setProperty("role", "onStop");
+  key->setAttribute(Qt::WA_TransparentForMouseEvents);
+  rowIn(stop_, 0, {0, 0, 12, 0})->addWidget(key, 0, Qt::AlignRight | Qt::AlignVCenter);
   connect(stop_, &QPushButton::pressed, &connection_, &Connection::stop);
   row->addWidget(stop_);
   connect(&connection_, &Connection::changed, this, &BoardBar::showConnection);

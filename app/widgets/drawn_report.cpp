@@ -19,6 +19,7 @@ constexpr int margin_mm = 16, paperWidth_px = 640;
 constexpr const char* reportSheet =
     "body { font-family: sans-serif; } h1 { font-size: 20px; } h2 { font-size: 16px; margin-top: 16px; }"
     "h3 { font-size: 14px; } .verdict { background: #f4f6f8; } th, td { padding: 2px 12px 2px 0; text-align: left; } "
+    "th { font-size: 11px; } "
     "pre { white-space: pre-wrap; }";
 
 /// From `from` on: the next stretch that begins and ends so, its end behind it; both npos where there is none.
@@ -35,6 +36,15 @@ QString withoutStyle(QString text) {
        std::tie(first, last) = stretch(text, "<style>", "</style>", first))
     text.remove(first, last - first);
   return text;
+}
+
+/// A figure as a block of its own: what Qt's reader doesn't know it takes as a part of what stands before it, the last
+/// item of a list for example.
+QString withPlainFigures(QString text) {
+  return text.replace("<figure>", "<div>")
+      .replace("</figure>", "</div>")
+      .replace("<figcaption>", "<p>")
+      .replace("</figcaption>", "</p>");
 }
 
 QImage pictureOf(const QString& svg, int width_px) {
@@ -56,7 +66,7 @@ QImage pictureOf(const QString& svg, int width_px) {
 DrawnReport drawn(const std::string& html, const ReportEdit& edit, int width_px) {
   DrawnReport report;
   for (const std::string& chapter : chaptersOf(html)) report.chapters << QString::fromStdString(chapter);
-  const QString text = withoutStyle(QString::fromStdString(editedReport(html, edit)));
+  const QString text = withPlainFigures(withoutStyle(QString::fromStdString(editedReport(html, edit))));
   qsizetype done = 0;
   for (auto [first, last] = stretch(text, "<svg", "</svg>", 0); first >= 0;
        std::tie(first, last) = stretch(text, "<svg", "</svg>", last)) {

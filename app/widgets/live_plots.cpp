@@ -24,6 +24,7 @@ using namespace std::chrono_literals;
 namespace breakaway {
 
 namespace {
+constexpr double gapAfterHeld_s = 0.01;          // the last points of what is held stand at most a bucket after it
 constexpr int plain_px = 208, settings_px = 32;  // with the strip below it, 240; and a row of settings
 }  // namespace
 
@@ -34,7 +35,7 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
   trigger_ = new LiveTrigger(this);
   bar_ = new LiveToolbar(connection_, live_, files_, trigger_->modeBox(), this);
   buildPlot();
-  spectrum_ = new LiveSpectrum(live_.history(), this);
+  spectrum_ = new LiveSpectrum(shown_, this);
   layout->addWidget(bar_);
   auto* settings = new QHBoxLayout;
   settings->setSpacing(24);
@@ -87,7 +88,7 @@ void LivePlots::buildPlot() {
   plot_->plotLayout()->clear();
   plot_->plotLayout()->setRowSpacing(2);
   plot_->plotLayout()->setColumnSpacing(6);
-  cursors_ = new LiveCursors(*plot_, live_.history(), bar_->difference());
+  cursors_ = new LiveCursors(*plot_, shown_, bar_->difference());
   for (int channel = 0; channel < channelCount; ++channel) addTrace(channel);
   linkTimeAxes();
   // Lines of titles are as high as their text; the lower plots also carry the labels of time.
@@ -179,11 +180,13 @@ double LivePlots::to_s() const {
 }
 
 void LivePlots::setPaused(bool paused) {
+  if (!paused_) shown_ = live_.history();
   paused_ = paused;
   bar_->pauseButton()->setChecked(paused);
   plot_->setInteractions(paused ? QCP::iRangeDrag | QCP::iRangeZoom : QCP::Interactions());
   stale_ = true;
   if (paused) return;
+  shown_ = live_.history();
   if (trigger_->done()) armTrigger();
   follow();
 }
@@ -212,6 +215,7 @@ void LivePlots::refresh() {
   const uint64_t before = consumed_;
   consume();
   if (paused_ || (consumed_ == before && !stale_)) return;
+  shown_ = live_.history();
   stale_ = false;
   follow();
   if (trigger_->done()) setPaused(true);
@@ -222,6 +226,18 @@ void LivePlots::consume() {
   const LiveHistory& history = live_.history();
   if (consumed_ < history.first()) consumed_ = history.first();
   if (consumed_ == history.end()) return;
+  draw(history);
+  // What is older than the history goes, but for what is held.
+  const double oldest_s = history.at(history.first()).time_s;
+  const bool holds = paused_ && shown_.newest().has_value();
+  for (Trace& trace : traces_) {
+    trace.graph->data()->removeBefore(holds ? std::min(oldest_s, shown_.at(shown_.first()).time_s) : oldest_s);
+    if (holds) trace.graph->data()->remove(shown_.newest()->time_s + gapAfterHeld_s, oldest_s);
+  }
+}
+
+/// What of it isn't drawn yet.
+void LivePlots::draw(const LiveHistory& history) {
   std::array<std::vector<TracePoint>, channelCount> points;
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
@@ -230,13 +246,11 @@ void LivePlots::consume() {
       traces_[channel].envelope.add(sample.time_s, channels_[channel].of(sample), points[channel]);
     }
   }
-  const double oldest_s = history.at(history.first()).time_s;
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
     QVector<QCPGraphData> fresh;
     fresh.reserve(static_cast<qsizetype>(points[channel].size()));
     for (const TracePoint& point : points[channel]) fresh.append(QCPGraphData(point.time_s, point.value));
     traces_[channel].graph->data()->add(fresh, true);
-    traces_[channel].graph->data()->removeBefore(oldest_s);
   }
 }
 
@@ -250,13 +264,9 @@ void LivePlots::startOver() {
   consumed_ = live_.history().first();
   watchedFrom_ = 0;
   channels_ = liveChannels(live_.board().axis == Axis::linear);
-  const double period_s = connection_.connected() ? 1.0 / std::max(1.0, connection_.identity().loopRate_Hz) : 0.001;
-  for (size_t channel = 0; channel < traces_.size(); ++channel) {
-    Trace& trace = traces_[channel];
-    trace.title->setText(channels_[channel].title());
-    trace.graph->data()->clear();
-    trace.envelope = Envelope(0.002, 3.5 * period_s);
-  }
+  for (size_t channel = 0; channel < traces_.size(); ++channel)
+    traces_[channel].title->setText(channels_[channel].title());
+  emptyTraces();
   const std::vector<LiveChannel> shown(channels_.begin(), channels_.end());
   trigger_->nameChannels(shown);
   cursors_->nameChannels(shown);
@@ -264,6 +274,14 @@ void LivePlots::startOver() {
   armTrigger();
   setPaused(false);
   showLoss();
+}
+
+void LivePlots::emptyTraces() {
+  const double period_s = connection_.connected() ? 1.0 / std::max(1.0, connection_.identity().loopRate_Hz) : 0.001;
+  for (Trace& trace : traces_) {
+    trace.graph->data()->clear();
+    trace.envelope = Envelope(0.002, 3.5 * period_s);
+  }
 }
 
 /// Where the link was lost, over the samples that stay.
@@ -277,7 +295,7 @@ void LivePlots::showLoss() {
 }
 
 QVariant LivePlots::kept() const {
-  return QVariant::fromValue(View{from_s(), to_s(), cursors_->times_s(), trigger_->state(), consumed_});
+  return QVariant::fromValue(View{from_s(), to_s(), cursors_->times_s(), trigger_->state(), consumed_, shown_});
 }
 
 void LivePlots::take(const QVariant& kept) {
@@ -287,6 +305,12 @@ void LivePlots::take(const QVariant& kept) {
   traces_[0].rect->axis(QCPAxis::atBottom)->setRange(view.from_s, view.to_s);
   cursors_->moveTo(view.cursors_s);
   if (!paused_) return;
+  if (view.shown.newest()) {
+    shown_ = view.shown;
+    emptyTraces();
+    consumed_ = shown_.first();
+    draw(shown_);
+  }
   consume();
   trigger_->viewEnd_s(bar_->span_s(), view.to_s);
   for (Trace& trace : traces_) scaleValues(trace);
@@ -312,7 +336,7 @@ void LivePlots::scaleValues(Trace& trace) const {
 }
 
 void LivePlots::exportVisible() {
-  const auto recording = live_.stretch(from_s(), to_s());
+  const auto recording = live_.stretch(shown_, from_s(), to_s());
   if (!recording) {
     messages_.warn(tr("Nothing to export: no sample is visible"));
     return;

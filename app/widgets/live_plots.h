@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "session/live_history.h"
 #include "session/trigger.h"
 #include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
@@ -76,6 +77,7 @@ class LivePlots : public QWidget {
     std::array<double, 2> cursors_s{};
     std::optional<Trigger> trigger;
     uint64_t consumed = 0;
+    LiveHistory shown;
   };
 
   void buildPlot();
@@ -83,6 +85,8 @@ class LivePlots : public QWidget {
   void linkTimeAxes();
   void applyLook();
   void consume();
+  void draw(const LiveHistory& history);
+  void emptyTraces();
   void meetBoard();
   void startOver();
   void follow();
@@ -105,6 +109,7 @@ class LivePlots : public QWidget {
   QCPItemText* lossText_ = nullptr;
   std::array<LiveChannel, channelCount> channels_ = liveChannels(false);
   std::array<Trace, channelCount> traces_;
+  LiveHistory shown_;  ///< of what is seen: as it goes on, or as it was when the picture was paused
   bool paused_ = false;
   bool stale_ = true;  ///< the picture isn't of what is chosen
   uint64_t consumed_ = 0;

@@ -37,6 +37,7 @@ constexpr ViewChip views[] = {{MapView::turns, "viewTurns"},     {MapView::stati
 
 // Of what stands beside the circle.
 constexpr int sideGap_px = 12, leastSide_px = 200, mostSide_px = 420, leastPolar = 232;
+constexpr int chipGap_px = 4, wayGap_px = 12;
 
 QFrame* plotCard(QWidget* parent) {
   auto* frame = card(parent);
@@ -94,7 +95,13 @@ MapPanel::MapPanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* MapPanel::buildChips() {
   auto* group = new QWidget(this);
-  auto* row = rowIn(group, 4);
+  chips_ = new QBoxLayout(QBoxLayout::LeftToRight, group);
+  chips_->setContentsMargins(0, 0, 0, 0);
+  chips_->setSpacing(chipGap_px);
+  auto *row = new QHBoxLayout, *under = new QHBoxLayout;
+  for (QHBoxLayout* one : {row, under}) one->setSpacing(chipGap_px);
+  chips_->addLayout(row);
+  chips_->addLayout(under, 1);
   auto* kinds = new QButtonGroup(group);
   for (const ViewChip& one : views) {
     auto* chip = chipButton(group, one.name, shortNameOf(one.view), {});
@@ -107,20 +114,33 @@ QWidget* MapPanel::buildChips() {
       showMap();
     });
   }
-  row->addSpacing(12);
+  row->addStretch(1);
+  wayGap_ = new QSpacerItem(wayGap_px, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  under->addItem(wayGap_);
   for (const Way way : {Way::ccw, Way::cw}) {
     auto* chip = chipButton(group, way == Way::ccw ? "showCcw" : "showCw", {}, {});
     chip->setChecked(true);
     chip->setFixedWidth(56);
     ways_[way == Way::ccw ? 0 : 1] = chip;
-    row->addWidget(chip);
+    under->addWidget(chip);
     connect(chip, &QPushButton::toggled, this, &MapPanel::showMap);
   }
-  row->addStretch(1);
+  under->addStretch(1);
   fromZero_ = chipButton(group, "radiusFromZero", tr("From zero"), {});
   fromZero_->setChecked(true);
-  row->addWidget(fromZero_);
+  under->addWidget(fromZero_);
   return group;
+}
+
+/// In two rows where one has no room for all of them.
+void MapPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int whole_px = chips_->itemAt(0)->minimumSize().width() + chips_->itemAt(1)->minimumSize().width() + chipGap_px;
+  const bool stacked = width() < whole_px + (chips_->direction() == QBoxLayout::TopToBottom ? wayGap_px : 0);
+  if (stacked == (chips_->direction() == QBoxLayout::TopToBottom)) return;
+  chips_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  wayGap_->changeSize(stacked ? 0 : wayGap_px, 1, QSizePolicy::Fixed, QSizePolicy::Minimum);
+  chips_->itemAt(1)->layout()->invalidate();
 }
 
 QWidget* MapPanel::buildRotor() {

@@ -11,6 +11,8 @@
 #include "widgets/map_curve.h"
 #include "widgets/map_views.h"
 
+class QBoxLayout;
+class QSpacerItem;
 class QAbstractButton;
 class QLabel;
 class QPushButton;
@@ -44,6 +46,7 @@ class MapPanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void resizeEvent(QResizeEvent* event) override;
   QWidget* buildChips();
   QWidget* buildRotor();
   void showViews();
@@ -62,6 +65,8 @@ class MapPanel : public QWidget {
   std::vector<QPushButton*> views_;
   std::array<QPushButton*, 2> ways_{};  ///< ccw, cw
   QPushButton* fromZero_ = nullptr;
+  QBoxLayout* chips_ = nullptr;    ///< kinds; ways and radius
+  QSpacerItem* wayGap_ = nullptr;  ///< between them
   QStackedWidget* plots_ = nullptr;
   QWidget* side_ = nullptr;  ///< of the circle: its twin and its harmonics
   PolarPlot* polar_ = nullptr;

@@ -119,6 +119,12 @@ void ParametersDock::buildTable() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
+  // Only once columns have their widths: as long as nobody sees the table, they don't.
+  rowsSoon_.setSingleShot(true);
+  rowsSoon_.setInterval(0);
+  connect(&rowsSoon_, &QTimer::timeout, table_, [this] {
+    if (isVisible()) table_->resizeRowsToContents();
+  });
   QHeaderView* header = table_->horizontalHeader();
   for (int at = 0; at < table_->columnCount(); ++at) {
     if (at == nameColumn) continue;
@@ -128,7 +134,7 @@ void ParametersDock::buildTable() {
   // A name that has no room in one line takes two.
   table_->verticalHeader()->setMinimumSectionSize(table_->verticalHeader()->defaultSectionSize());
   connect(header, &QHeaderView::sectionResized, this, [this](int resized) {
-    if (resized == nameColumn) table_->resizeRowsToContents();
+    if (resized == nameColumn) rowsSoon_.start();
   });
   table_->horizontalHeaderItem(beforeColumn)
       ->setToolTip(tr("What the board had when it was connected; boards don't say what their defaults are"));
@@ -165,6 +171,11 @@ void ParametersDock::fitIn(int window_px) {
   showColumns();
 }
 
+void ParametersDock::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  rowsSoon_.start();
+}
+
 void ParametersDock::showColumns() {
   table_->setColumnHidden(beforeColumn, narrow_);
   table_->setColumnHidden(rangeColumn, narrow_);
@@ -184,7 +195,7 @@ void ParametersDock::fill() {
   for (int row = 0; row < table_->rowCount(); ++row) fillRow(row);
   source_->setText(edits_.profileSource());
   showColumns();
-  table_->resizeRowsToContents();
+  rowsSoon_.start();
   showAvailable();
   explain();
 }

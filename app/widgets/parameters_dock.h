@@ -2,6 +2,7 @@
 // holds. Edits are shared with Tune; nothing is sent before Apply.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <set>
 #include <vector>
@@ -30,6 +31,9 @@ class ParametersDock : public QWidget {
  signals:
   void closed();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   QWidget* buildHead();
   QWidget* buildTools();
@@ -56,6 +60,7 @@ class ParametersDock : public QWidget {
   bool narrow_ = true;
   std::set<int> unticked_;  ///< rows that somebody has taken the tick from
   QTableWidget* table_ = nullptr;
+  QTimer rowsSoon_;  ///< are made as high as their text
   QPushButton* undo_ = nullptr;
   QPushButton* redo_ = nullptr;
   QPushButton* revert_ = nullptr;

@@ -17,8 +17,19 @@ RunPanel::RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* 
   activity_->setWordWrap(true);
   activity_->setMinimumHeight(2 * activity_->fontMetrics().lineSpacing());
   activity_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
-  activity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  activity_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  activity_->setToolTip(tr("How the last run ended, and what is next"));
+  connect(activity_, &QLabel::linkActivated, this, &RunPanel::pageAsked);
   columnIn(this)->addWidget(activity_);
+}
+
+void RunPanel::leadOn(RunKind done, const QString& page, const QString& title) {
+  next_[done] = QString("<a href='%1'>%2</a>").arg(page, title);
+}
+
+QString RunPanel::doneText(RunKind kind) const {
+  const auto next = next_.find(kind);
+  return next == next_.end() ? tr("Done") : tr("Done. Next: %1").arg(next->second);
 }
 
 bool RunPanel::saysSomething() const {
@@ -40,7 +51,7 @@ void RunPanel::show(const RunSnapshot& snapshot) {
       activity_->clear();  // the bar says what is being done, and how far it is
       break;
     case Procedure::State::finished:
-      activity_->setText(tr("Done"));
+      activity_->setText(doneText(snapshot.kind));
       break;
     case Procedure::State::failed:
       activity_->setText(tr("Failed: %1").arg(failure));

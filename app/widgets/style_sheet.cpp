@@ -32,6 +32,7 @@ QPushButton[role="chip"] { padding: 0 10px; }
 QPushButton[role="chip"]:checked { color: @accentLine; border-color: @accentLine; background: @selected; }
 QPushButton[role="chip"]:focus { padding: 0 9px; }
 QPushButton[role="stop"] { background: @stop; color: #ffffff; border: 1px solid @stopBorder; font-weight: 700; font-size: 15px; }
+QLabel[role="onStop"] { color: #ffffff; background: transparent; }
 QPushButton[role="stop"]:hover { background: @stopHover; }
 QPushButton[role="stop"]:focus { border: 2px solid @ink; }
 QToolButton[role="bare"], QPushButton[role="bare"] { background: transparent; border: 2px solid transparent; padding: 0 6px;

@@ -67,6 +67,10 @@ struct DiagnoseOptions {
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
                            const std::vector<Recording>& heldout, const DiagnoseOptions& options);
 
+/// The verdict in one line.
+Message headline(const Diagnosis& diagnosis);
+/// An effect's name, which files have, as a message.
+Message nameOfEffect(const std::string& name);
 /// The verdict in words, some lines of plain text.
 std::string inWords(const Diagnosis& diagnosis);
 /// The text of diagnosis.json, indented or on one line, without a line end.

@@ -27,44 +27,11 @@ std::string errorText(double value, Axis axis, const FitScore& fit) {
 }
 
 /// "a", "a or b", "a, b or c".
-std::string joined(const std::vector<std::string>& names, const std::string& word) {
-  std::string out;
-  for (size_t k = 0; k < names.size(); ++k)
-    out += (k == 0 ? "" : k + 1 == names.size() ? " " + word + " " : ", ") + names[k];
-  return out;
-}
-
-/// The verdict in one line.
-std::string headline(const Diagnosis& d) {
-  if (d.misread) return "Misread: " + d.misread->sentence + ".";
-  std::vector<std::string> names;
-  for (const Finding& finding : d.findings) {
-    std::vector<std::string> one{finding.effect};
-    if (d.verdict == Verdict::ambiguous)
-      one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
-    names.push_back(joined(one, "or"));
-  }
-  switch (d.verdict) {
-    case Verdict::nothingMissing:
-      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floor)
-        return "Nothing is missing: the base model explains the recording as far as its sensors can tell.";
-      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floorWithWander)
-        return "Nothing is missing: what the base model leaves is " + torqueWord(d.model.axis) +
-               " that changes at random, as on any rig.";
-      return "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "
-             "explain.";
-    case Verdict::named:
-      return "The model lacks " + joined(names, "and") + ".";
-    case Verdict::ambiguous:
-      return "The model lacks " + joined(names, "and") + "; these recordings can't tell rivals apart.";
-    case Verdict::outsideCatalogue:
-      return names.empty() ? "The model lacks something that has no name in the catalogue."
-                           : "The model lacks " + joined(names, "and") +
-                                 ", and something more that has no name in the catalogue.";
-    case Verdict::undecided:
-      return "Undecided: these recordings can't tell what is missing; the base model fits what there is.";
-  }
-  return {};
+Message joined(const std::vector<std::string>& effects) {
+  std::vector<Message> names;
+  names.reserve(effects.size());
+  for (const std::string& one : effects) names.push_back(nameOfEffect(one));
+  return listed(names, message(" or "));
 }
 
 /// Each with its interval, one a line.
@@ -105,8 +72,52 @@ std::string proofText(const Diagnosis& d) {
 
 }  // namespace
 
+Message nameOfEffect(const std::string& name) {
+  const Effect* effect = findEffect(name);
+  return effect != nullptr ? Message(effect->name(), {}) : Message(name);
+}
+
+Message headline(const Diagnosis& d) {
+  if (d.misread) return message("Misread: {}.", d.misread->sentence);
+  std::vector<Message> all;
+  for (const Finding& finding : d.findings) {
+    std::vector<std::string> one{finding.effect};
+    if (d.verdict == Verdict::ambiguous)
+      one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    all.push_back(joined(one));
+  }
+  const Message names = listed(all, message(" and "));
+  switch (d.verdict) {
+    case Verdict::nothingMissing:
+      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floor)
+        return message("Nothing is missing: the base model explains the recording as far as its sensors can tell.");
+      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floorWithWander)
+        return d.model.axis == Axis::linear
+                   ? message(
+                         "Nothing is missing: what the base model leaves is force that changes at random, as on any "
+                         "rig.")
+                   : message(
+                         "Nothing is missing: what the base model leaves is torque that changes at random, as on "
+                         "any rig.");
+      return message(
+          "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "
+          "explain.");
+    case Verdict::named:
+      return message("The model lacks {}.", names);
+    case Verdict::ambiguous:
+      return message("The model lacks {}; these recordings can't tell rivals apart.", names);
+    case Verdict::outsideCatalogue:
+      return names.empty()
+                 ? message("The model lacks something that has no name in the catalogue.")
+                 : message("The model lacks {}, and something more that has no name in the catalogue.", names);
+    case Verdict::undecided:
+      return message("Undecided: these recordings can't tell what is missing; the base model fits what there is.");
+  }
+  return {};
+}
+
 std::string inWords(const Diagnosis& d) {
-  std::string out = headline(d) + "\n";
+  std::string out = headline(d).english() + "\n";
   if (d.misread) out += "With " + d.misread->mended + ":\n";
   out += inLines(d.model.base);
   for (const Finding& finding : d.findings) {
@@ -114,7 +125,8 @@ std::string inWords(const Diagnosis& d) {
     out += inLines(finding.parameters);
     out += "    takes away " + percentText(finding.share) + " of the excess error (p = " + digitsText(finding.pValue) +
            ")\n";
-    if (!finding.ambiguousWith.empty()) out += "    can't be told from " + joined(finding.ambiguousWith, "or") + "\n";
+    if (!finding.ambiguousWith.empty())
+      out += "    can't be told from " + joined(finding.ambiguousWith).english() + "\n";
   }
   if (!d.where.empty()) out += "Where: " + d.where.front().sentence + "\n";
   out += proofText(d);

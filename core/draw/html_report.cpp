@@ -43,39 +43,49 @@ bool startsWithNumber(const std::string& text) {
 
 }  // namespace
 
-HtmlReport::HtmlReport(std::string title, std::string subtitle)
-    : title_(std::move(title)), subtitle_(std::move(subtitle)) {
+HtmlReport::HtmlReport(const Saying& title, const Saying& subtitle, const Catalogue& language)
+    : language_(language), title_(said(title)), subtitle_(said(subtitle)) {
 }
 
-void HtmlReport::heading(const std::string& text, int level) {
+const Catalogue& HtmlReport::english() {
+  static const Catalogue nothing;
+  return nothing;
+}
+
+std::string HtmlReport::said(const Saying& text) const {
+  const std::string words = text.in(language_);
+  const std::string* whole = words == text.english() ? language_.find(words) : nullptr;
+  return escaped(whole != nullptr ? *whole : words);
+}
+
+void HtmlReport::heading(const Saying& text, int level) {
   assert(level == 2 || level == 3);
   const std::string tag = "h" + std::to_string(level);
-  body_ += "<" + tag + ">" + escaped(text) + "</" + tag + ">\n";
+  body_ += "<" + tag + ">" + said(text) + "</" + tag + ">\n";
 }
 
-void HtmlReport::paragraph(const std::string& text) {
-  body_ += "<p>" + escaped(text) + "</p>\n";
+void HtmlReport::paragraph(const Saying& text) {
+  body_ += "<p>" + said(text) + "</p>\n";
 }
 
-void HtmlReport::verdict(const std::string& text) {
-  body_ += "<p class=\"verdict\">" + escaped(text) + "</p>\n";
+void HtmlReport::verdict(const Saying& text) {
+  body_ += "<p class=\"verdict\">" + said(text) + "</p>\n";
 }
 
-void HtmlReport::list(const std::vector<std::string>& items) {
+void HtmlReport::list(const std::vector<Saying>& items) {
   body_ += "<ul>\n";
-  for (const auto& item : items) body_ += "<li>" + escaped(item) + "</li>\n";
+  for (const auto& item : items) body_ += "<li>" + said(item) + "</li>\n";
   body_ += "</ul>\n";
 }
 
-void HtmlReport::facts(const std::vector<std::pair<std::string, std::string>>& rows) {
+void HtmlReport::facts(const std::vector<std::pair<Saying, Saying>>& rows) {
   body_ += "<div class=\"wide\"><table><tbody>\n";
-  for (const auto& [name, value] : rows)
-    body_ += "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+  for (const auto& [name, value] : rows) body_ += "<tr><th>" + said(name) + "</th><td>" + said(value) + "</td></tr>\n";
   body_ += "</tbody></table></div>\n";
 }
 
-void HtmlReport::table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
-                       const std::string& caption) {
+void HtmlReport::table(const std::vector<Saying>& header, const std::vector<std::vector<Saying>>& rows,
+                       const Saying& caption) {
   std::vector<bool> numeric(header.size(), !rows.empty());
   for (const auto& row : rows) {
     assert(row.size() == header.size());
@@ -85,26 +95,26 @@ void HtmlReport::table(const std::vector<std::string>& header, const std::vector
     return std::string("<") + name + (numeric[c] ? " class=\"number\">" : ">");
   };
   body_ += "<div class=\"wide\"><table>";
-  if (!caption.empty()) body_ += "<caption>" + escaped(caption) + "</caption>";
+  if (!caption.empty()) body_ += "<caption>" + said(caption) + "</caption>";
   body_ += "<thead><tr>";
-  for (size_t c = 0; c < header.size(); ++c) body_ += tag("th", c) + escaped(header[c]) + "</th>";
+  for (size_t c = 0; c < header.size(); ++c) body_ += tag("th", c) + said(header[c]) + "</th>";
   body_ += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
     body_ += "<tr>";
-    for (size_t c = 0; c < row.size(); ++c) body_ += tag("td", c) + escaped(row[c]) + "</td>";
+    for (size_t c = 0; c < row.size(); ++c) body_ += tag("td", c) + said(row[c]) + "</td>";
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";
 }
 
-void HtmlReport::figure(const Figure& figure, const std::string& caption, int width_px, int height_px) {
-  svg(toSvg(figure, width_px, height_px), caption);
+void HtmlReport::figure(const Figure& figure, const Saying& caption, int width_px, int height_px) {
+  svg(toSvg(inLanguage(figure, language_), width_px, height_px), caption);
 }
 
-void HtmlReport::svg(std::string_view svg, const std::string& caption) {
+void HtmlReport::svg(std::string_view svg, const Saying& caption) {
   body_ += "<figure>\n";
   body_ += svg;
-  if (!caption.empty()) body_ += "<figcaption>" + escaped(caption) + "</figcaption>\n";
+  if (!caption.empty()) body_ += "<figcaption>" + said(caption) + "</figcaption>\n";
   body_ += "</figure>\n";
 }
 
@@ -112,18 +122,20 @@ void HtmlReport::raw(std::string_view html) {
   body_ += html;
 }
 
-void HtmlReport::details(const std::string& summary, const std::vector<std::string>& paragraphs) {
-  body_ += "<details><summary>" + escaped(summary) + "</summary>\n";
+void HtmlReport::details(const Saying& summary, const std::vector<Saying>& paragraphs) {
+  body_ += "<details><summary>" + said(summary) + "</summary>\n";
   for (const auto& text : paragraphs) paragraph(text);
   body_ += "</details>\n";
 }
 
 std::string HtmlReport::html() const {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+  // The language's own code stands where "en" does.
+  return "<!DOCTYPE html>\n<html lang=\"" + said(message("en")) +
+         "\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title_) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
-         "</h1>\n" + (subtitle_.empty() ? "" : "<p class=\"subtitle\">" + escaped(subtitle_) + "</p>\n") + body_ +
-         htmlOfMade() + "</body>\n</html>\n";
+         title_ + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title_ + "</h1>\n" +
+         (subtitle_.empty() ? "" : "<p class=\"subtitle\">" + subtitle_ + "</p>\n") + body_ + htmlOfMade() +
+         "</body>\n</html>\n";
 }
 
 Result<void> HtmlReport::write(const std::string& path) const {

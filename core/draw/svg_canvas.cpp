@@ -61,7 +61,7 @@ std::string darkStyle() {
 }
 
 double entryWidth(const Curve& curve) {
-  return 26.0 + textWidth(curve.label, 12) + 18.0;
+  return 26.0 + textWidth(curve.label.english(), 12) + 18.0;
 }
 
 /// The legend's rows as indices into the curves.

@@ -120,7 +120,7 @@ void drawHighlights(SvgCanvas& canvas, const Figure& figure, const Scale& xScale
     to = std::max(std::min(to, frame.right), from + 1.5);
     canvas.box({from, frame.top, to, frame.bottom}, Ink::highlight);
     if (one.label.empty()) continue;
-    const double width = textWidth(one.label, 11);
+    const double width = textWidth(one.label.english(), 11);
     const double x = std::clamp(0.5 * (from + to - width), frame.left, std::max(frame.left, frame.right - width));
     size_t row = 0;
     while (row < rowEnds.size() && row + 1 < highlightRows && rowEnds[row] > x) ++row;
@@ -158,10 +158,10 @@ void drawAxes(SvgCanvas& canvas, const Figure& figure, const Scale& xScale, cons
   }
   canvas.line(frame.left, frame.bottom, frame.right, frame.bottom, Ink::axis);
   canvas.line(frame.left, frame.top, frame.left, frame.bottom, Ink::axis);
-  canvas.text(0.5 * (frame.left + frame.right), frame.bottom + 37, figure.xLabel + exponentText(xLabels.exponent),
-              SvgCanvas::Anchor::middle, Ink::text);
+  canvas.text(0.5 * (frame.left + frame.right), frame.bottom + 37,
+              figure.xLabel.english() + exponentText(xLabels.exponent), SvgCanvas::Anchor::middle, Ink::text);
   canvas.verticalText(std::max(14.0, frame.left - widest - 18), 0.5 * (frame.top + frame.bottom),
-                      figure.yLabel + exponentText(yLabels.exponent));
+                      figure.yLabel.english() + exponentText(yLabels.exponent));
 }
 
 void drawCurves(SvgCanvas& canvas, const Figure& figure, const Scale& xScale, const Scale& yScale, const Frame& frame) {
@@ -226,6 +226,14 @@ std::string plot(const Figure& figure, int width_px, int height_px) {
 }
 
 }  // namespace
+
+Figure inLanguage(Figure figure, const Catalogue& language) {
+  const auto say = [&language](Saying& text) { text = text.in(language); };
+  for (Saying* text : {&figure.title, &figure.xLabel, &figure.yLabel}) say(*text);
+  for (Curve& curve : figure.curves) say(curve.label);
+  for (Highlight& one : figure.highlights) say(one.label);
+  return figure;
+}
 
 std::string toSvg(const Figure& figure, int width_px, int height_px) {
   return figure.polar ? toPolarSvg(figure, width_px, height_px) : plot(figure, width_px, height_px);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/catalogue.h"
+#include "base/message.h"
 #include "base/result.h"
 
 namespace breakaway {
@@ -14,7 +16,7 @@ namespace breakaway {
 /// One curve. NaN in x or y is a gap. On a polar figure x is an angle in rad and y the radius.
 struct Curve {
   enum class Style { line, dashed, points };
-  std::string label;      ///< stands in the legend; empty: not listed
+  Saying label;           ///< stands in the legend; empty: not listed
   std::vector<double> x;  ///< same length as y
   std::vector<double> y;
   std::vector<double> low = {};  ///< optional band around the curve, same length as y
@@ -28,13 +30,13 @@ struct Curve {
 struct Highlight {
   double from = 0.0;
   double to = 0.0;
-  std::string label = {};
+  Saying label = {};
 };
 
 struct Figure {
-  std::string title;
-  std::string xLabel;  ///< with its unit, e.g. "time / s"; on a polar figure unused
-  std::string yLabel;  ///< on a polar figure what the radius is
+  Saying title;
+  Saying xLabel;  ///< with its unit, e.g. "time / s"; on a polar figure unused
+  Saying yLabel;  ///< on a polar figure what the radius is
   std::vector<Curve> curves = {};
   std::vector<Highlight> highlights = {};
   bool polar = false;
@@ -49,8 +51,11 @@ struct Figure {
 /// The figure as one SVG document of the given size in px. It carries its own light and dark colours
 /// (prefers-color-scheme), uses no identifiers, so that many can stand in one HTML page, and needs no font but the
 /// system's. Long curves are thinned to the smallest and largest value per pixel column, which draws the same. A figure
-/// without any finite point says "no data".
+/// without any finite point says "no data". Its words are English; see inLanguage().
 std::string toSvg(const Figure& figure, int width_px = 860, int height_px = 380);
+
+/// The same figure with the words of a language.
+Figure inLanguage(Figure figure, const Catalogue& language);
 
 /// toSvg() into a file.
 Result<void> writeSvg(const Figure& figure, const std::string& path, int width_px = 860, int height_px = 380);

@@ -51,7 +51,7 @@ std::string indexHtml(const std::vector<BenchFigure>& figures) {
     report.heading(one.figure.title);
     const Size size = sizeOf(one.figure);
     report.figure(one.figure, one.says, size.width_px, size.height_px);
-    std::vector<std::pair<std::string, std::string>> facts;
+    std::vector<std::pair<Saying, Saying>> facts;
     facts.reserve(one.keyNumbers.size());
     for (const auto& [name, value] : one.keyNumbers) facts.emplace_back(name, numberText(value));
     report.facts(facts);

@@ -63,7 +63,7 @@ void addOutliers(HtmlReport& page, const std::vector<FleetEntry>& entries, const
       "out "
       "from {} deviations on, by its furthest parameter; with fewer than {} values none does.",
       standsOutFrom, fewestForOutliers));
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Saying>> rows;
   for (size_t k = 0; k < std::min(apart, mostOutliers); ++k) {
     const StandsOut& one = order[k];
     const auto column = std::find_if(columns.begin(), columns.end(),
@@ -82,7 +82,7 @@ void addOutliers(HtmlReport& page, const std::vector<FleetEntry>& entries, const
 
 void addSpread(HtmlReport& page, const std::vector<FleetColumn>& columns) {
   page.heading("How the parameters are spread");
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Saying>> rows;
   rows.reserve(columns.size());
   for (const FleetColumn& one : columns) {
     rows.push_back({one.name, std::to_string(one.values.size()), numberText(one.quantileOf(0.05), 3),
@@ -128,7 +128,7 @@ void addFindings(HtmlReport& page, const std::vector<FleetEntry>& entries) {
   std::vector<std::pair<std::string, size_t>> order(counts.begin(), counts.end());
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   const std::vector<FleetColumn> columns = findingColumns(entries);
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Saying>> rows;
   for (const auto& [effect, count] : order) {
     std::string name = effect, found = std::to_string(count);
     for (const FleetColumn& one : columns) {
@@ -142,7 +142,7 @@ void addFindings(HtmlReport& page, const std::vector<FleetEntry>& entries) {
 }
 
 void addErrors(HtmlReport& page, const std::vector<FleetEntry>& entries) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Saying>> rows;
   size_t failed = 0;
   for (const FleetEntry& entry : entries) {
     if (entry.error.empty()) continue;

@@ -160,8 +160,9 @@ std::vector<Message> inWords(const WiringFit& fit, const Estimate& zero_A, doubl
                              Axis axis) {
   std::vector<Message> words{message("Motor and encoder: count the same way."), sensorWords(fit, zero_A, noiseRms_A)};
   const bool right = std::abs(fit.supply_V / supply_V - 1.0) < supplyPart;
-  words.push_back(message("Supply: reads {:.1f} V where {:.1f} V belong{}.", fit.supply_V, supply_V,
-                          right ? Message() : message("; measure it, and look at its divider")));
+  words.push_back(right ? message("Supply: reads {:.1f} V, as the board declares.", fit.supply_V)
+                        : message("Supply: reads {:.1f} V where {:.1f} V belong; measure it, and look at its divider.",
+                                  fit.supply_V, supply_V));
   const Estimate& Ke = fit.backEmf_V_s_per_rad;
   words.push_back(Ke.standardError > 0.0
                       ? message("Counts: as the encoder counts, the back-EMF constant is {:.2g} {} (give or take "

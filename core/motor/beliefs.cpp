@@ -248,8 +248,9 @@ std::optional<Message> contradictionOf(const Belief& belief, Axis axis) {
                                            standardErrors * relativeError(belief.measured))
     return {};
   const Message hint = suggestionWithin(belief.of, axis, ratio, relativeError(belief.measured));
-  return message("{} {} is {:.5g}, {} {:.5g} {}: {:.4g} times as much{}", belief.source, belief.name, belief.believed,
-                 belief.from, belief.measured.value, unitOf(belief.of, axis), ratio, hint.empty() ? hint : ", " + hint);
+  return message("{} {} is {:.5g}, {} {:.5g} {}: the first is {:.4g} times as much{}", belief.source, belief.name,
+                 belief.believed, belief.from, belief.measured.value, unitOf(belief.of, axis), ratio,
+                 hint.empty() ? hint : ", " + hint);
 }
 
 std::optional<Error> selfContradictionOf(const Bench& bench) {
@@ -260,10 +261,11 @@ std::optional<Error> selfContradictionOf(const Bench& bench) {
                            *motor.torqueConstant,    true, {*motor.backEmfConstant, 0.0}};
     if (const double ratio = ratioOf(constants); apart(ratio, 1.0) > std::log(honestFactor(constants.of, true))) {
       const Message hint = suggestionOf(constants.of, bench.axis, ratio);
-      return Error{names.torqueConstant,
-                   message("is {:.5g}, but {} is {:.5g}: {:.4g} times as much{}; in SI they are the same quantity",
-                           *motor.torqueConstant, names.backEmfConstant, *motor.backEmfConstant, ratio,
-                           hint.empty() ? hint : ", " + hint)};
+      return Error{
+          names.torqueConstant,
+          message("is {:.5g}, but {} is {:.5g}: the first is {:.4g} times as much{}; in SI they are the same quantity",
+                  *motor.torqueConstant, names.backEmfConstant, *motor.backEmfConstant, ratio,
+                  hint.empty() ? hint : ", " + hint)};
     }
   }
   const std::optional<double> K = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;

@@ -1,7 +1,5 @@
 #include "report/commission_report.h"
 
-#include <fmt/core.h>
-
 #include "base/atomic_file.h"
 #include "commission/motor_file.h"
 #include "friction/map_export.h"
@@ -19,25 +17,26 @@ std::string nameOf(const Commission& done) {
   return done.bench.name.empty() ? done.identity.device : done.bench.name;
 }
 
-std::vector<std::pair<std::string, std::string>> circumstances(const Commission& done) {
+std::vector<std::pair<Saying, Saying>> circumstances(const Commission& done) {
   const bool linear = done.linear();
-  std::vector<std::pair<std::string, std::string>> facts{
-      {"board", done.identity.device + ", " + done.identity.firmware},
-      {"control rate", numberText(done.identity.loopRate_Hz) + " Hz"},
-      {"encoder", numberText(done.identity.countsPerRev, 6) + (linear ? " counts per m" : " counts per turn")}};
+  const std::string counts = numberText(done.identity.countsPerRev, 6);
+  std::vector<std::pair<Saying, Saying>> facts{
+      {message("board"), done.identity.device + ", " + done.identity.firmware},
+      {message("control rate"), numberText(done.identity.loopRate_Hz) + " Hz"},
+      {message("encoder"), linear ? message("{} counts per m", counts) : message("{} counts per turn", counts)}};
   if (done.knows(Known::index))
-    facts.emplace_back(!linear || done.identity.hasIndex ? "index at" : "lower end at",
-                       linear ? withInterval(done.indexAngle_rad, 1e3, "mm from power-up")
-                              : withInterval(done.indexAngle_rad, 1.0, "rad from power-up"));
-  facts.emplace_back("time on the bench", numberText(done.rigTime_s / 60.0, 3) + " min");
+    facts.emplace_back(!linear || done.identity.hasIndex ? message("index at") : message("lower end at"),
+                       linear ? withInterval(done.indexAngle_rad, 1e3, message("mm from power-up"))
+                              : withInterval(done.indexAngle_rad, 1.0, message("rad from power-up")));
+  facts.emplace_back(message("time on the bench"), numberText(done.rigTime_s / 60.0, 3) + " min");
   if (!done.knows(Known::map)) return facts;
-  facts.emplace_back(linear ? "passes" : "turns", std::to_string(done.map.turns) + " each way");
+  facts.emplace_back(linear ? message("passes") : message("turns"), message("{} each way", done.map.turns));
   for (const auto& [name, value] : done.map.settings) facts.emplace_back(name, numberText(value));
   return facts;
 }
 
-std::string reportHtml(const Commission& done, bool hasTruth) {
-  HtmlReport report("Friction of " + nameOf(done), done.identity.device);
+std::string reportHtml(const Commission& done, bool hasTruth, const Catalogue& language) {
+  HtmlReport report(message("Friction of {}", nameOf(done)), done.identity.device, language);
   report.verdict(done.knows(Known::map) ? inWords(done) : motorInWords(done));
   if (!done.knows(Known::map)) {
     unfinishedChapter(report, done);
@@ -46,7 +45,7 @@ std::string reportHtml(const Commission& done, bool hasTruth) {
   }
   if (done.knows(Known::gainsInUse) || done.compensatedRun) useChapter(report, done);
   motorChapter(report, done);
-  report.heading("How it was measured");
+  report.heading(message("How it was measured"));
   report.facts(circumstances(done));
   closingChapter(report, done, hasTruth);
   return report.html();
@@ -66,8 +65,8 @@ Result<void> writeIdentification(const Commission& done, const std::string& fold
                     folder + "/motor.json");
 }
 
-Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
-                             const std::string& folder) {
+Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth, const std::string& folder,
+                             const Catalogue& language) {
   if (auto made = makeFolder(folder + "/recordings"); !made) return made;
   for (const auto& [step, recording] : done.recordings) {
     if (auto written = writeStep(step, recording, folder); !written) return written;
@@ -78,25 +77,28 @@ Result<void> writeCommission(const Commission& done, const std::optional<Frictio
   if (truth) {
     if (auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
   }
-  return writeReport(done, truth.has_value(), folder + "/report.html");
+  return writeReport(done, truth.has_value(), folder + "/report.html", language);
 }
 
-Result<void> writeReport(const Commission& done, bool hasTruth, const std::string& path) {
+Result<void> writeReport(const Commission& done, bool hasTruth, const std::string& path, const Catalogue& language) {
   if (!done.knows(Known::motor)) return Error{path, "nothing was measured yet"};
-  return writeFile(path, reportHtml(done, hasTruth));
+  return writeFile(path, reportHtml(done, hasTruth, language));
 }
 
-std::string inWords(const Commission& done) {
+Message inWords(const Commission& done) {
   const FrictionMap& map = done.map;
   const MapUnits& units = mapUnitsOf(done.identity.axis);
   const double torque = units.torqueScale, viscous = units.viscousScale;
   const Estimate &F = map.coulombAverage_Nm, &B = map.viscousAverage_Nm_s_per_rad;
-  return fmt::format(
-      "Breakaway {0} on average {1:.3g} {2} {3} and {4:.3g} {2} {5}; {6}. Coulomb friction {7:.3g} {2} ({8:.3g} to "
-      "{9:.3g}), viscous friction {10:.3g} {11} ({12:.3g} to {13:.3g}).",
-      units.torque, torque * staticMean(map, 0), units.torqueUnit, units.ways[0], torque * staticMean(map, 1),
-      units.ways[1], repeatWords(map), torque * F.value, torque * F.low95(), torque * F.high95(), viscous * B.value,
-      units.viscousUnit, viscous * B.low95(), viscous * B.high95());
+  const auto mean = [&](size_t way) {
+    return message("{:.3g} {} {}", torque * staticMean(map, way), units.torqueUnit, message(units.ways[way]));
+  };
+  return message(
+      "Breakaway {} on average {} and {}; {}. Coulomb friction {:.3g} {} ({:.3g} to {:.3g}), viscous friction {:.3g} "
+      "{} "
+      "({:.3g} to {:.3g}).",
+      message(units.torque), mean(0), mean(1), repeatWords(map), torque * F.value, units.torqueUnit, torque * F.low95(),
+      torque * F.high95(), viscous * B.value, units.viscousUnit, viscous * B.low95(), viscous * B.high95());
 }
 
 }  // namespace breakaway

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/marked_text.h"
 #include "base/numbers.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/fit/torque_residual.h"
@@ -18,8 +19,7 @@ namespace breakaway {
 namespace {
 
 constexpr int beforeColour = 1, afterColour = 0, wanderColour = 2, measuredColour = 6;
-constexpr const char* beforeLabel = "base model";
-constexpr const char* afterLabel = "with what was missing";
+constexpr MessageText<0> beforeLabel = marked("base model"), afterLabel = marked("with what was missing");
 
 /// What people read positions in: degrees or millimetres.
 struct Shown {
@@ -86,12 +86,12 @@ Curve traceCurve(const Replay& replay, const Trace& trace, size_t first, size_t 
 void addModels(Figure& figure, const Diagnosis& d, const Replay& replay, size_t first, size_t last, bool error) {
   const double scale = shownIn(d.model.axis).scale;
   Curve before = traceCurve(replay, replay.before, first, last, scale, error);
-  before.label = beforeLabel;
+  before.label = message(beforeLabel);
   before.colour = beforeColour;
   figure.curves.push_back(std::move(before));
   if (d.findings.empty()) return;
   Curve after = traceCurve(replay, replay.after, first, last, scale, error);
-  after.label = afterLabel;
+  after.label = message(afterLabel);
   after.colour = afterColour;
   figure.curves.push_back(std::move(after));
 }
@@ -101,13 +101,13 @@ void addTorques(Figure& figure, const Diagnosis& d, const Replay& replay, size_t
   const Shown shown = leftIn(d.model.axis);
   const double from_s = replay.track.time[first], to_s = replay.track.time[last];
   const double wander = shown.scale * normal95 * std::max(d.fit.floor, d.fit.floorWithWander);
-  figure.curves.push_back({.label = "95 % of what a perfect model leaves",
+  figure.curves.push_back({.label = message("95 % of what a perfect model leaves"),
                            .x = {replay.track.origin_s + from_s, replay.track.origin_s + to_s},
                            .y = {0.0, 0.0},
                            .low = {-wander, -wander},
                            .high = {wander, wander},
                            .colour = wanderColour});
-  const auto add = [&](const TorqueTrace& trace, const char* label, int colour) {
+  const auto add = [&](const TorqueTrace& trace, const Message& label, int colour) {
     Curve curve{.label = label, .x = {}, .y = {}, .colour = colour};
     for (size_t k = 0; k < trace.torque.size(); ++k) {
       if (trace.time_s[k] < from_s || trace.time_s[k] > to_s) continue;
@@ -116,18 +116,19 @@ void addTorques(Figure& figure, const Diagnosis& d, const Replay& replay, size_t
     }
     figure.curves.push_back(std::move(curve));
   };
-  add(replay.torqueBefore, beforeLabel, beforeColour);
-  if (!d.findings.empty()) add(replay.torqueAfter, afterLabel, afterColour);
+  add(replay.torqueBefore, message(beforeLabel), beforeColour);
+  if (!d.findings.empty()) add(replay.torqueAfter, message(afterLabel), afterColour);
 }
 
-std::string errorLabel(const Diagnosis& d) {
-  if (!d.fit.inTorque()) return std::string("measured − simulated / ") + shownIn(d.model.axis).unit;
-  return d.model.axis == Axis::rotary ? "torque left / mNm" : "force left / N";
+Message errorLabel(const Diagnosis& d) {
+  if (!d.fit.inTorque()) return message("measured − simulated / {}", shownIn(d.model.axis).unit);
+  return d.model.axis == Axis::rotary ? message("torque left / mNm") : message("force left / N");
 }
 
 /// One held-out window between its neighbours: the motion and, beneath, the error.
 void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay, const Block& block,
-               const std::string& which) {
+               const std::string& name) {
+  const Message which = name == "worst" ? message("worst") : message("typical");
   const Track& track = replay.track;
   const double begin = block.start_s - track.origin_s, length = d.fit.window_s;
   const auto rowAt = [&track](double t) {
@@ -137,21 +138,21 @@ void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Repl
   const size_t first = rowAt(begin - length), last = rowAt(begin + 2.0 * length);
   const Shown shown = shownIn(d.model.axis);
   const Shown counted = d.fit.inTorque() ? leftIn(d.model.axis) : shown;
-  const std::string position = d.model.axis == Axis::rotary ? "angle" : "position";
-  Figure motion{.title = (d.fit.inTorque() ? "Measured, " : "Measured and simulated, ") + which + " held-out window",
-                .xLabel = "time / s",
-                .yLabel = position + " / " + shown.unit};
+  Figure motion{.title = d.fit.inTorque() ? message("Measured, {} held-out window", which)
+                                          : message("Measured and simulated, {} held-out window", which),
+                .xLabel = message("time / s"),
+                .yLabel = d.model.axis == Axis::rotary ? message("angle / °") : message("position / mm")};
   motion.highlights.push_back({block.start_s, block.start_s + length, which});
-  Curve measured{.label = "measured", .x = {}, .y = {}, .colour = measuredColour, .width_px = 2.6};
+  Curve measured{.label = message("measured"), .x = {}, .y = {}, .colour = measuredColour, .width_px = 2.6};
   for (size_t k = first; k <= last; ++k) {
     measured.x.push_back(track.origin_s + track.time[k]);
     measured.y.push_back(track.seen[k] != 0 ? shown.scale * track.position[k] : std::nan(""));
   }
-  Figure error{
-      .title = d.fit.inTorque() ? "What the model leaves of the drive there" : "What the simulation misses there",
-      .xLabel = "time / s",
-      .yLabel = errorLabel(d),
-      .highlights = motion.highlights};
+  Figure error{.title = d.fit.inTorque() ? message("What the model leaves of the drive there")
+                                         : message("What the simulation misses there"),
+               .xLabel = message("time / s"),
+               .yLabel = errorLabel(d),
+               .highlights = motion.highlights};
   motion.curves.push_back(std::move(measured));
   if (d.fit.inTorque()) {
     addTorques(error, d, replay, first, last);
@@ -159,27 +160,28 @@ void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Repl
     addModels(motion, d, replay, first, last, false);
     addModels(error, d, replay, first, last, true);
   }
-  const std::string place = block.recording + ", from " + numberText(block.start_s) + " s";
+  const Message place = message("{}, from {} s", block.recording, numberText(block.start_s));
   const std::string space = d.fit.inTorque() ? " " : "";
   figures.push_back(
-      {which + "_motion",
-       place + (d.fit.inTorque()
-                    ? ". This motion can't be foreseen from the drive: what is compared is the torque along it."
-                    : ". The simulation knows the drive alone and starts again from the measurement every " +
-                          numberText(length, 2) + " s."),
+      {name + "_motion",
+       d.fit.inTorque()
+           ? message("{}. This motion can't be foreseen from the drive: what is compared is the torque along it.",
+                     place)
+           : message("{}. The simulation knows the drive alone and starts again from the measurement every {} s.",
+                     place, numberText(length, 2)),
        motion});
-  figures.push_back({which + "_error",
-                     "In this window " + numberText(counted.scale * block.before, 3) + space + counted.unit +
-                         " rms before, " + numberText(counted.scale * block.after, 3) + space + counted.unit +
-                         " after.",
+  figures.push_back({name + "_error",
+                     message("In this window {} rms before, {} after.",
+                             numberText(counted.scale * block.before, 3) + space + counted.unit,
+                             numberText(counted.scale * block.after, 3) + space + counted.unit),
                      error});
 }
 
 void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay) {
   const bool inTorque = d.fit.inTorque();
-  Figure figure{.title = inTorque ? "What the model leaves of the drive, whole recording"
-                                  : "What the simulation misses, whole recording",
-                .xLabel = "time / s",
+  Figure figure{.title = inTorque ? message("What the model leaves of the drive, whole recording")
+                                  : message("What the simulation misses, whole recording"),
+                .xLabel = message("time / s"),
                 .yLabel = errorLabel(d)};
   if (inTorque) {
     addTorques(figure, d, replay, 0, replay.track.rows() - 1);
@@ -189,27 +191,39 @@ void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, con
   for (const auto& [first, last] : d.heldoutRows) {
     const double from = replay.track.time[first];
     const double to = replay.track.time[std::min(last, replay.track.rows()) - 1];
-    figure.highlights.push_back({replay.track.origin_s + from, replay.track.origin_s + to, "held out"});
+    figure.highlights.push_back({replay.track.origin_s + from, replay.track.origin_s + to, message("held out")});
   }
   figures.push_back(
       {"training_residual",
-       replay.track.name + (inTorque ? ". The smaller, the better the model; gaps: no clear motion."
-                                     : ". The smaller, the better the model; restarts set it back to nearly zero."),
+       inTorque
+           ? message("{}. The smaller, the better the model; gaps: no clear motion.", replay.track.name)
+           : message("{}. The smaller, the better the model; restarts set it back to nearly zero.", replay.track.name),
        figure});
 }
 
 /// Scale and label of a map's axis and of its values, as people read them.
 struct MapText {
   double scale = 1.0, valueScale = 1.0;
-  std::string label, value;
+  Message name, label, value;
 };
+
+Message axisName(const ResidualMap& map, Axis axis) {
+  if (map.axis == "reversal") return message("travel since reversal");
+  if (map.axis == "current" && map.unit != "A")
+    return map.unit == "N" ? message("motor force") : message("motor torque");
+  if (map.axis == "angle") return axis == Axis::linear ? message("position") : message("angle");
+  return map.axis == "velocity"       ? message("velocity")
+         : map.axis == "time"         ? message("time")
+         : map.axis == "frequency"    ? message("frequency")
+         : map.axis == "current"      ? message("current")
+         : map.axis == "acceleration" ? message("acceleration")
+         : map.axis == "temperature"  ? message("temperature")
+                                      : Message(map.axis);
+}
 
 MapText textOf(const ResidualMap& map, Axis axis) {
   MapText text;
-  std::string name = map.axis == "reversal"                        ? "travel since reversal"
-                     : map.axis == "current" && map.unit != "A"    ? "motor torque"
-                     : map.axis == "angle" && axis == Axis::linear ? "position"
-                                                                   : map.axis;
+  const bool rotary = axis == Axis::rotary;
   std::string unit = map.unit;
   if (map.unit == "rad" || map.unit == "m") {
     text.scale = shownIn(axis).scale;
@@ -217,23 +231,21 @@ MapText textOf(const ResidualMap& map, Axis axis) {
   } else if (map.unit == "Nm") {
     text.scale = 1e3;
     unit = "mNm";
-  } else if (map.unit == "N") {
-    name = "motor force";
   }
-  text.label = name + " / " + unit;
-  const std::string torque = axis == Axis::rotary ? "torque / mNm" : "force / N";
-  text.valueScale = axis == Axis::rotary ? 1e3 : 1.0;
-  text.value = "unexplained " + torque;
+  text.name = axisName(map, axis);
+  text.label = text.name + " / " + Message(unit);
+  text.valueScale = rotary ? 1e3 : 1.0;
+  text.value = rotary ? message("unexplained torque / mNm") : message("unexplained force / N");
   if (map.shows == Unknown::friction)
-    text.value = axis == Axis::rotary ? "unexplained friction / mNm" : "unexplained friction / N";
+    text.value = rotary ? message("unexplained friction / mNm") : message("unexplained friction / N");
   if (map.shows == Unknown::voltage) {
     text.valueScale = 1.0;
-    text.value = "unexplained voltage / V";
+    text.value = message("unexplained voltage / V");
   }
   return text;
 }
 
-Curve bandOf(const ResidualMap& map, const MapText& text, const std::string& label, int colour) {
+Curve bandOf(const ResidualMap& map, const MapText& text, const Message& label, int colour) {
   Curve curve{.label = label, .x = {}, .y = {}, .colour = colour};
   for (size_t k = 0; k < map.centre.size(); ++k) {
     curve.x.push_back(text.scale * map.centre[k]);
@@ -265,15 +277,14 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
         std::any_of(figures.begin(), figures.end(), [&name](const NamedFigure& one) { return one.name == name; });
     if (map == nullptr || drawn) continue;
     const MapText text = textOf(*map, d.model.axis);
-    Figure figure{.title = "Where: over " + text.label.substr(0, text.label.find(" /")),
-                  .xLabel = text.label,
-                  .yLabel = text.value};
+    Figure figure{.title = message("Where: over {}", text.name), .xLabel = text.label, .yLabel = text.value};
     figure.logX = map->axis == "frequency";
-    figure.curves.push_back(bandOf(*map, text, beforeLabel, beforeColour));
+    figure.curves.push_back(bandOf(*map, text, message(beforeLabel), beforeColour));
     const ResidualMap* same = mapOf(place, after);
-    if (!d.findings.empty() && same != nullptr) figure.curves.push_back(bandOf(*same, text, afterLabel, afterColour));
-    figure.highlights.push_back({text.scale * place.from, text.scale * place.to, "most here"});
-    figures.push_back({name, place.sentence + " Bands: 95 %.", figure});
+    if (!d.findings.empty() && same != nullptr)
+      figure.curves.push_back(bandOf(*same, text, message(afterLabel), afterColour));
+    figure.highlights.push_back({text.scale * place.from, text.scale * place.to, message("most here")});
+    figures.push_back({name, message("{} Bands: 95 %.", place.sentence), figure});
   }
 }
 
@@ -299,30 +310,32 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<
   return figures;
 }
 
-std::string gainSvg(const Diagnosis& d) {
+std::string gainSvg(const Diagnosis& d, const Catalogue& language) {
   constexpr int width = 860;
   constexpr double left = 250.0, right = 740.0, row = 30.0, top = 52.0;
   const Shown shown = d.fit.inTorque() ? leftIn(d.model.axis) : shownIn(d.model.axis);
   struct Bar {
-    std::string label;
+    Message label;
     double value;
     int colour;
   };
-  std::vector<Bar> bars{{std::string("held out, ") + beforeLabel, d.fit.heldoutBefore, beforeColour}};
-  if (!d.findings.empty()) bars.push_back({std::string("held out, ") + afterLabel, d.fit.heldoutAfter, afterColour});
-  bars.push_back({std::string("training, ") + beforeLabel, d.fit.trainBefore, beforeColour});
-  if (!d.findings.empty()) bars.push_back({std::string("training, ") + afterLabel, d.fit.trainAfter, afterColour});
-  bars.push_back({"a perfect model", d.fit.floor, 2});
+  std::vector<Bar> bars{{message("held out, {}", message(beforeLabel)), d.fit.heldoutBefore, beforeColour}};
+  if (!d.findings.empty())
+    bars.push_back({message("held out, {}", message(afterLabel)), d.fit.heldoutAfter, afterColour});
+  bars.push_back({message("training, {}", message(beforeLabel)), d.fit.trainBefore, beforeColour});
+  if (!d.findings.empty())
+    bars.push_back({message("training, {}", message(afterLabel)), d.fit.trainAfter, afterColour});
+  bars.push_back({message("a perfect model"), d.fit.floor, 2});
   double most = 1e-300;
   for (const Bar& bar : bars) most = std::max(most, bar.value);
   const auto height = static_cast<int>(top + row * static_cast<double>(bars.size()) + 12.0);
-  SvgCanvas canvas(width, height, "Error before and after");
-  canvas.text(0.5 * width, 24.0, "Error over " + numberText(d.fit.window_s, 2) + " s windows, rms",
+  SvgCanvas canvas(width, height, message("Error before and after").in(language));
+  canvas.text(0.5 * width, 24.0, message("Error over {} s windows, rms", numberText(d.fit.window_s, 2)).in(language),
               SvgCanvas::Anchor::middle, Ink::text, 15.0, true);
   for (size_t k = 0; k < bars.size(); ++k) {
     const double y = top + row * static_cast<double>(k), end = left + (right - left) * bars[k].value / most;
     const double cap = std::min(8.0, 0.5 * (end - left));  // ends are round
-    canvas.text(left - 10.0, y + 4.0, bars[k].label, SvgCanvas::Anchor::end, Ink::text, 13.0);
+    canvas.text(left - 10.0, y + 4.0, bars[k].label.in(language), SvgCanvas::Anchor::end, Ink::text, 13.0);
     canvas.curve("M" + px(left + cap) + " " + px(y) + "H" + px(std::max(end - cap, left + cap + 0.01)),
                  Curve{.label = {}, .x = {}, .y = {}, .width_px = 2.0 * cap}, bars[k].colour);
     canvas.text(end + 14.0, y + 4.0, numberText(shown.scale * bars[k].value, 3) + " " + shown.unit,

@@ -13,7 +13,7 @@ namespace breakaway {
 /// One picture of the report, also written as figures/NAME.svg.
 struct NamedFigure {
   std::string name;
-  std::string caption;
+  Saying caption;
   Figure figure;
 };
 
@@ -23,6 +23,6 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& diagnosis, const std:
                                           const std::vector<Recording>& heldout);
 
 /// The error before, after, and what a perfect model would show, as bars: one SVG document.
-std::string gainSvg(const Diagnosis& diagnosis);
+std::string gainSvg(const Diagnosis& diagnosis, const Catalogue& language = {});
 
 }  // namespace breakaway

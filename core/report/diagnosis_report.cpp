@@ -14,25 +14,26 @@ namespace breakaway {
 
 namespace {
 
-std::vector<std::vector<std::string>> parameterRows(const Diagnosis& d) {
-  std::vector<std::vector<std::string>> rows;
-  const auto add = [&rows](const std::string& owner, const Parameter& one, const std::string& before) {
+std::vector<std::vector<Saying>> parameterRows(const Diagnosis& d) {
+  std::vector<std::vector<Saying>> rows;
+  const auto add = [&rows](const Message& owner, const Parameter& one, const std::string& before) {
     rows.push_back({owner, one.name, before, numberText(one.value), numberText(one.low95), numberText(one.high95)});
   };
   for (const Parameter& one : d.model.base) {
     const auto before = d.base.baseValue(one.name);
-    add("base", one, before ? numberText(*before) : "");
+    add(message("base"), one, before ? numberText(*before) : "");
   }
   for (const EffectTerm& term : d.model.effects) {
-    for (const Parameter& one : presentParameters(term, d.model.axis)) add(term.effect, one, "");
+    for (const Parameter& one : presentParameters(term, d.model.axis)) add(nameOfEffect(term.effect), one, "");
   }
   return rows;
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  return out;
+Message listOf(const std::vector<std::string>& effects) {
+  std::vector<Message> names;
+  names.reserve(effects.size());
+  for (const std::string& one : effects) names.push_back(nameOfEffect(one));
+  return listed(names, Message(", "));
 }
 
 std::string percent(double part) {
@@ -50,63 +51,69 @@ void addFigures(HtmlReport& report, const std::vector<NamedFigure>& figures, std
 
 void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures) {
   if (d.findings.empty()) return;
-  report.heading("What is missing");
+  report.heading(message("What is missing"));
   for (const Finding& finding : d.findings) {
     const Effect& effect = *findEffect(finding.effect);
-    report.heading(finding.effect, 3);
+    report.heading(nameOfEffect(finding.effect), 3);
     report.paragraph(finding.sentence);
     addFigures(report, figures, {("term_" + finding.effect).c_str()});
-    std::vector<std::vector<std::string>> rows;
+    std::vector<std::vector<Saying>> rows;
     rows.reserve(finding.parameters.size());
     for (const Parameter& one : finding.parameters)
       rows.push_back({one.name, numberText(one.value), numberText(one.low95), numberText(one.high95)});
-    report.table({"parameter", "value", "95 % from", "95 % to"}, rows);
-    report.facts({{"Share of the excess error", percent(finding.share)},
-                  {"By chance", "p = " + numberText(finding.pValue, 2)},
-                  {"Can't be told from",
-                   finding.ambiguousWith.empty() ? "nothing in the catalogue" : listOf(finding.ambiguousWith)}});
-    report.details("How " + finding.effect + " is modelled",
-                   {std::string(effect.formula()), "Source: " + std::string(effect.source()) + "."});
+    report.table({message("parameter"), message("value"), message("95 % from"), message("95 % to")}, rows);
+    report.facts({{message("Share of the excess error"), percent(finding.share)},
+                  {message("By chance"), "p = " + numberText(finding.pValue, 2)},
+                  {message("Can't be told from"), finding.ambiguousWith.empty() ? message("nothing in the catalogue")
+                                                                                : listOf(finding.ambiguousWith)}});
+    report.details(message("How {} is modelled", nameOfEffect(finding.effect)),
+                   {std::string(effect.formula()), message("Source: {}.", effect.source())});
   }
 }
 
 void addProof(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures,
               const std::string& unit) {
-  report.heading("How much better, on data it never saw");
-  report.svg(gainSvg(d), d.fit.inTorque() ? "What the model leaves of the drive along the recorded motion."
-                                          : "Position error of a simulation that knows the drive alone.");
+  report.heading(message("How much better, on data it never saw"));
+  report.svg(gainSvg(d, report.language()),
+             d.fit.inTorque() ? message("What the model leaves of the drive along the recorded motion.")
+                              : message("Position error of a simulation that knows the drive alone."));
   const FitScore& fit = d.fit;
-  std::vector<std::pair<std::string, std::string>> facts{
-      {"Held-out error", numberText(fit.heldoutBefore) + unit + " before, " + numberText(fit.heldoutAfter) + unit +
-                             " after; a perfect model would show " + numberText(fit.floor) + unit},
-      {"Held out", fit.separateRecording ? "separate recordings"
-                                         : "parts of the recordings, at least 1 s away from any training sample"}};
+  std::vector<std::pair<Saying, Saying>> facts{
+      {message("Held-out error"),
+       message("{} before, {} after; a perfect model would show {}", numberText(fit.heldoutBefore) + unit,
+               numberText(fit.heldoutAfter) + unit, numberText(fit.floor) + unit)},
+      {message("Held out"), fit.separateRecording
+                                ? message("separate recordings")
+                                : message("parts of the recordings, at least 1 s away from any training sample")}};
   if (!d.findings.empty()) {
-    facts.insert(
-        facts.begin() + 1,
-        {{"Improvement, 95 % interval", percent(fit.improvementLow95) + " to " + percent(fit.improvementHigh95)},
-         {"Reached of what is possible", percent(d.proof.achieved) + " of the squared error over the floor"}});
+    facts.insert(facts.begin() + 1,
+                 {{message("Improvement, 95 % interval"),
+                   message("{} to {}", percent(fit.improvementLow95), percent(fit.improvementHigh95))},
+                  {message("Reached of what is possible"),
+                   message("{} of the squared error over the floor", percent(d.proof.achieved))}});
   }
-  facts.push_back({"Left in common", "from window to window the errors correlate by " + numberText(d.proof.lag1, 2) +
-                                         " (p = " + numberText(d.proof.whitenessPValue, 2) + ")"});
-  facts.push_back({"Left unexplained", percent(d.unexplainedShare) + " of the excess squared error"});
+  facts.emplace_back(message("Left in common"),
+                     message("from window to window the errors correlate by {} (p = {})", numberText(d.proof.lag1, 2),
+                             numberText(d.proof.whitenessPValue, 2)));
+  facts.emplace_back(message("Left unexplained"),
+                     message("{} of the excess squared error", percent(d.unexplainedShare)));
   report.facts(facts);
   addFigures(report, figures, {"typical_", "worst_", "training_"});
 }
 
 HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings,
-                       const std::vector<Recording>& heldout, const std::vector<NamedFigure>& figures) {
-  HtmlReport report("Diagnosis: where simulation and recording part", bench.name);
-  const std::string words = inWords(d);
-  report.verdict(words.substr(0, words.find('\n')));
-  if (!d.nextSentence.empty()) report.facts({{"Run next", d.nextSentence}});
+                       const std::vector<Recording>& heldout, const std::vector<NamedFigure>& figures,
+                       const Catalogue& language) {
+  HtmlReport report(message("Diagnosis: where simulation and recording part"), bench.name, language);
+  report.verdict(headline(d));
+  if (!d.nextSentence.empty()) report.facts({{message("Run next"), d.nextSentence}});
   if (!d.where.empty()) {
-    report.heading("Where it shows");
-    std::vector<std::string> items;
+    report.heading(message("Where it shows"));
+    std::vector<Saying> items;
     items.reserve(d.where.size());
     for (const Place& place : d.where)
-      items.push_back(place.sentence + " (" + percent(place.share) +
-                      " of the unexplained square, p = " + numberText(place.pValue, 2) + ")");
+      items.push_back(message("{} ({} of the unexplained square, p = {})", place.sentence, percent(place.share),
+                              numberText(place.pValue, 2)));
     report.list(items);
     addFigures(report, figures, {("where_" + d.where.front().axis).c_str()});
   }
@@ -114,21 +121,21 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
   const bool rotary = bench.axis == Axis::rotary;
   addProof(report, d, figures, d.fit.inTorque() ? (rotary ? " Nm" : " N") : rotary ? " rad" : " m");
   if (d.where.size() > 1) {
-    report.heading("The same, seen over other axes");
+    report.heading(message("The same, seen over other axes"));
     for (const NamedFigure& one : figures) {
       const bool first = one.name.rfind("where_" + d.where.front().axis, 0) == 0;
       if (one.name.rfind("where_", 0) == 0 && !first) report.figure(one.figure, one.caption, 860, 300);
     }
   }
-  report.heading("All parameters");
-  report.table({"part", "parameter", "base model alone", "value", "95 % from", "95 % to"}, parameterRows(d));
-  report.heading("Input");
-  std::vector<std::string> inputs;
+  report.heading(message("All parameters"));
+  report.table({message("part"), message("parameter"), message("base model alone"), message("value"),
+                message("95 % from"), message("95 % to")},
+               parameterRows(d));
+  report.heading(message("Input"));
+  std::vector<Saying> inputs;
   inputs.reserve(recordings.size() + heldout.size() + d.remarks.size());
-  for (const Recording& one : recordings)
-    inputs.push_back("learned from " + one.name() + ", " + std::to_string(one.rows()) + " rows");
-  for (const Recording& one : heldout)
-    inputs.push_back("proved on " + one.name() + ", " + std::to_string(one.rows()) + " rows");
+  for (const Recording& one : recordings) inputs.push_back(message("learned from {}, {} rows", one.name(), one.rows()));
+  for (const Recording& one : heldout) inputs.push_back(message("proved on {}, {} rows", one.name(), one.rows()));
   inputs.insert(inputs.end(), d.remarks.begin(), d.remarks.end());
   report.list(inputs);
   return report;
@@ -137,17 +144,19 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
 }  // namespace
 
 Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& asGiven,
-                                  const std::vector<Recording>& heldoutAsGiven, const std::string& folder) {
+                                  const std::vector<Recording>& heldoutAsGiven, const std::string& folder,
+                                  const Catalogue& language) {
   const std::vector<Recording> recordings = mended(asGiven, d.misread), heldout = mended(heldoutAsGiven, d.misread);
   if (auto done = makeFolder(folder + "/figures"); !done) return done;
   if (auto done = writeModel(d.base, folder + "/base_model.json"); !done) return done;
   if (auto done = writeModel(d.model, folder + "/model.json"); !done) return done;
   const auto figures = diagnosisFigures(d, recordings, heldout);
   for (const NamedFigure& one : figures) {
-    if (auto done = writeSvg(one.figure, folder + "/figures/" + one.name + ".svg"); !done) return done;
+    if (auto done = writeSvg(inLanguage(one.figure, language), folder + "/figures/" + one.name + ".svg"); !done)
+      return done;
   }
-  if (auto done = writeFile(folder + "/figures/gain.svg", svgWithMade(gainSvg(d))); !done) return done;
-  if (auto done = buildReport(d, bench, recordings, heldout, figures).write(folder + "/report.html"); !done)
+  if (auto done = writeFile(folder + "/figures/gain.svg", svgWithMade(gainSvg(d, language))); !done) return done;
+  if (auto done = buildReport(d, bench, recordings, heldout, figures, language).write(folder + "/report.html"); !done)
     return done;
   return writeDiagnosis(d, folder + "/diagnosis.json");
 }

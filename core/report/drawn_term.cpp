@@ -9,15 +9,14 @@ namespace {
 
 constexpr int points = 400;
 
-std::string wayLabel(const Drawn& drawn, double direction) {
-  if (rotary(drawn)) return direction > 0.0 ? "counter-clockwise" : "clockwise";
-  return direction > 0.0 ? "towards growing position" : "towards falling position";
+Message wayLabel(const Drawn& drawn, double direction) {
+  if (rotary(drawn)) return direction > 0.0 ? message("counter-clockwise") : message("clockwise");
+  return direction > 0.0 ? message("towards growing position") : message("towards falling position");
 }
 
 }  // namespace
 
-Curve curveOf(const Drawn& drawn, const std::vector<double>& x, const Value& value, const std::string& label,
-              int colour) {
+Curve curveOf(const Drawn& drawn, const std::vector<double>& x, const Value& value, const Message& label, int colour) {
   Curve curve{.label = label, .x = x, .y = {}, .colour = colour};
   for (const double at : x) {
     const double middle = value(drawn.sets.front(), at);
@@ -43,8 +42,23 @@ bool rotary(const Drawn& drawn) {
   return drawn.seen.axis == Axis::rotary;
 }
 
-std::string torqueLabel(const Drawn& drawn, const std::string& what) {
-  return what + (rotary(drawn) ? " torque / mNm" : " force / N");
+Message torqueLabel(const Drawn& drawn, TorqueLabel what) {
+  const bool turns = rotary(drawn);
+  switch (what) {
+    case TorqueLabel::opposing:
+      return turns ? message("opposing torque / mNm") : message("opposing force / N");
+    case TorqueLabel::resisting:
+      return turns ? message("resisting torque / mNm") : message("resisting force / N");
+    case TorqueLabel::friction:
+      return turns ? message("friction torque / mNm") : message("friction force / N");
+    case TorqueLabel::transmitted:
+      return turns ? message("transmitted torque / mNm") : message("transmitted force / N");
+    case TorqueLabel::motor:
+      return turns ? message("motor torque / mNm") : message("motor force / N");
+    case TorqueLabel::knownLoad:
+      return turns ? message("known load's torque / mNm") : message("known load's force / N");
+  }
+  return {};
 }
 
 double torqueScale(const Drawn& drawn) {
@@ -82,7 +96,7 @@ void addWays(Figure& figure, const Drawn& drawn, const std::vector<double>& x,
     const double a = forth(first, at), b = back(first, at);
     return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b));
   });
-  figure.curves.push_back(curveOf(drawn, x, forth, alike ? "both ways" : wayLabel(drawn, 1.0)));
+  figure.curves.push_back(curveOf(drawn, x, forth, alike ? message("both ways") : wayLabel(drawn, 1.0)));
   if (!alike) figure.curves.push_back(curveOf(drawn, x, back, wayLabel(drawn, -1.0), 1));
 }
 

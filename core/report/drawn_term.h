@@ -24,7 +24,7 @@ struct Drawn {
 using Value = std::function<double(const std::vector<double>& parameters, double at)>;
 
 /// The fitted curve with the extremes that the intervals allow.
-Curve curveOf(const Drawn& drawn, const std::vector<double>& x, const Value& value, const std::string& label = {},
+Curve curveOf(const Drawn& drawn, const std::vector<double>& x, const Value& value, const Message& label = {},
               int colour = 0);
 /// One curve for both ways where they are alike, else two; `value` for a direction.
 void addWays(Figure& figure, const Drawn& drawn, const std::vector<double>& x,
@@ -33,8 +33,9 @@ void addWays(Figure& figure, const Drawn& drawn, const std::vector<double>& x,
 /// Even steps, fine enough for a picture.
 std::vector<double> between(double from, double to);
 bool rotary(const Drawn& drawn);
-/// "… torque / mNm" or "… force / N", and Nm or N in it.
-std::string torqueLabel(const Drawn& drawn, const std::string& what);
+enum class TorqueLabel { opposing, resisting, friction, transmitted, motor, knownLoad };
+/// "opposing torque / mNm" or "opposing force / N", and Nm or N in it.
+Message torqueLabel(const Drawn& drawn, TorqueLabel what);
 double torqueScale(const Drawn& drawn);
 /// Moving steadily towards growing position in the middle of what was seen.
 Situation typical(const Drawn& drawn);

@@ -15,12 +15,12 @@ constexpr int polar_px = 560;
 
 /// One curve per way around the turn, closed, in mNm.
 template <typename Get>
-Figure polarFigure(const FrictionMap& map, const std::string& title, Get get) {
-  Figure figure{title, "", "torque / mNm"};
+Figure polarFigure(const FrictionMap& map, const Message& title, Get get) {
+  Figure figure{title, "", mapUnitsOf(Axis::rotary).torqueTitle()};
   figure.polar = true;
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
-    curve.label = mapUnitsOf(Axis::rotary).ways[w];
+    curve.label = message(mapUnitsOf(Axis::rotary).ways[w]);
     curve.colour = wayColour(w);
     for (size_t k = 0; k <= map.bins.size(); ++k) {
       const MapBin& bin = map.bins[k % map.bins.size()];
@@ -35,28 +35,29 @@ Figure polarFigure(const FrictionMap& map, const std::string& title, Get get) {
 void breakawayFigure(HtmlReport& report, const FrictionMap& map) {
   const bool linear = map.axis == Axis::linear;
   const auto get = [](const WayBin& bin) { return bin.static_Nm; };
-  Figure figure = linear ? mapFigure(map, "Breakaway force over the travel", "force / N", 1.0, get)
-                         : polarFigure(map, "Breakaway torque around the rotor", get);
+  Figure figure =
+      linear ? mapFigure(map, message("Breakaway force over the travel"), mapUnitsOf(map.axis).torqueTitle(), 1.0, get)
+             : polarFigure(map, message("Breakaway torque around the rotor"), get);
   if (Curve outliers = outlierCurve(map, linear ? mapUnitsOf(map.axis).placeScale : 1.0); !outliers.x.empty())
     figure.curves.push_back(std::move(outliers));
   if (linear) {
-    report.figure(figure,
-                  "Whole motor force that starts motion from standstill: friction and position force; the band is the "
-                  "95 % interval. Forwards is growing position.");
+    report.figure(figure, message("Whole motor force that starts motion from standstill: friction and position force; "
+                                  "the band is the 95 % interval. Forwards is growing position."));
   } else {
-    report.figure(figure, "Whole motor torque that starts motion from standstill: friction and position torque.",
+    report.figure(figure,
+                  message("Whole motor torque that starts motion from standstill: friction and position torque."),
                   polar_px, polar_px);
   }
 }
 
 void totalFigure(HtmlReport& report, const FrictionMap& map) {
   const MapUnits& units = mapUnitsOf(map.axis);
-  const std::string speed = " at " + numberText(map.totalVelocity_rad_per_s) + " " + units.speedUnit;
+  const std::string speed = numberText(map.totalVelocity_rad_per_s) + " " + units.speedUnit;
   const auto get = [](const WayBin& bin) { return Estimate{bin.total_Nm, 0.0}; };
   if (map.axis == Axis::linear) {
-    report.figure(mapFigure(map, "Total force over the travel" + speed, units.torqueTitle(), 1.0, get));
+    report.figure(mapFigure(map, message("Total force over the travel at {}", speed), units.torqueTitle(), 1.0, get));
   } else {
-    report.figure(polarFigure(map, "Total torque around the rotor" + speed, get), {}, polar_px, polar_px);
+    report.figure(polarFigure(map, message("Total torque around the rotor at {}", speed), get), {}, polar_px, polar_px);
   }
 }
 
@@ -96,19 +97,23 @@ std::array<Curve, 2> strokePoints(const Commission& done) {
 
 Figure speedsFigure(const Commission& done) {
   return speedFigure(done, done.linear() ? strokePoints(done) : runPoints(done),
-                     std::string("speed / ") + mapUnitsOf(done.identity.axis).speedUnit);
+                     message("speed / {}", mapUnitsOf(done.identity.axis).speedUnit));
 }
 
 /// A row per way: its name, Coulomb and viscous friction.
-std::vector<std::vector<std::string>> movingRows(const Commission& done) {
+std::vector<std::vector<Saying>> movingRows(const Commission& done) {
   const MapUnits& units = mapUnitsOf(done.identity.axis);
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Saying>> rows;
   for (size_t w = 0; w < 2; ++w) {
     const MovingFriction& moving = done.moving[w];
-    rows.push_back({units.ways[w], withInterval(moving.coulombMean_Nm, units.torqueScale, units.torqueUnit),
+    rows.push_back({message(units.ways[w]), withInterval(moving.coulombMean_Nm, units.torqueScale, units.torqueUnit),
                     withInterval(moving.viscousMean_Nm_s_per_rad, units.viscousScale, units.viscousUnit)});
   }
   return rows;
+}
+
+Message chapterOf(bool linear) {
+  return linear ? message("Friction over the travel") : message("Friction, motor and encoder");
 }
 
 }  // namespace
@@ -117,40 +122,49 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   const FrictionMap& map = done.map;
   const MapUnits& units = mapUnitsOf(map.axis);
   const bool linear = map.axis == Axis::linear;
-  const std::string unit = units.torqueUnit, torque = units.torque, passes = units.passes();
-  report.heading(linear ? "Friction over the travel" : "Friction, motor and encoder");
+  const std::string unit = units.torqueUnit;
+  const Message passes = message(units.passes);
+  report.heading(chapterOf(linear));
   auto rows = movingRows(done);
   for (size_t w = 0; w < 2; ++w) {
     const auto repeat = repeatCells(map, w);
     rows[w].insert(rows[w].begin() + 1, numberText(units.torqueScale * staticMean(map, w)));
     rows[w].insert(rows[w].end(), repeat.begin(), repeat.end());
   }
-  report.table({"way", "breakaway, mean / " + unit, "Coulomb", "viscous", "correlation of " + passes,
-                "difference of " + passes + " / " + unit + " rms"},
+  report.table({message("way"), message("breakaway, mean / {}", unit), message("Coulomb"), message("viscous"),
+                message("correlation of {}", passes), message("difference of {} / {} rms", passes, unit)},
                rows);
   breakawayFigure(report, map);
   for (size_t w = 0; w < 2; ++w) report.figure(passesFigure(map, w));
-  report.figure(mapFigure(map, "Coulomb " + torque + units.where, units.torqueTitle(), units.torqueScale,
-                          [](const WayBin& bin) { return bin.coulomb_Nm; }),
-                "Whole motor " + torque + ", extrapolated to zero speed from moving" +
-                    (linear ? "." : "; the band is the 95 % interval."));
-  report.figure(
-      mapFigure(map, std::string("Viscous coefficient") + units.where,
-                std::string("coefficient / ") + units.viscousUnit, units.viscousScale,
-                [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
-      std::string("Its slope with speed") + (linear ? ", smoothed as far as the noise asks for it."
-                                                    : ". Harmonics that don't stand out of the noise are left out."));
+  const auto coulomb = [](const WayBin& bin) { return bin.coulomb_Nm; };
+  const auto viscous = [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; };
+  const Message coefficient = message("coefficient / {}", units.viscousUnit);
+  if (linear) {
+    report.figure(
+        mapFigure(map, message("Coulomb force over the travel"), units.torqueTitle(), units.torqueScale, coulomb),
+        message("Whole motor force, extrapolated to zero speed from moving."));
+    report.figure(
+        mapFigure(map, message("Viscous coefficient over the travel"), coefficient, units.viscousScale, viscous),
+        message("Its slope with speed, smoothed as far as the noise asks for it."));
+  } else {
+    report.figure(
+        mapFigure(map, message("Coulomb torque around the rotor"), units.torqueTitle(), units.torqueScale, coulomb),
+        message("Whole motor torque, extrapolated to zero speed from moving; the band is the 95 % interval."));
+    report.figure(
+        mapFigure(map, message("Viscous coefficient around the rotor"), coefficient, units.viscousScale, viscous),
+        message("Its slope with speed. Harmonics that don't stand out of the noise are left out."));
+  }
   totalFigure(report, map);
   report.figure(speedsFigure(done));
 }
 
 void unfinishedChapter(HtmlReport& report, const Commission& done) {
-  report.heading(done.linear() ? "Friction over the travel" : "Friction, motor and encoder");
+  report.heading(chapterOf(done.linear()));
   if (!done.breakaways.empty())
-    report.paragraph("The breakaway sweep was stopped before its end: " + std::to_string(done.breakaways.size()) +
-                     " of " + std::to_string(2 * done.sweeps.bins * done.sweeps.turns) + " breakaways were measured.");
+    report.paragraph(message("The breakaway sweep was stopped before its end: {} of {} breakaways were measured.",
+                             done.breakaways.size(), 2 * done.sweeps.bins * done.sweeps.turns));
   if (!done.knows(Known::runs)) return;
-  report.table({"way", "Coulomb", "viscous"}, movingRows(done));
+  report.table({message("way"), message("Coulomb"), message("viscous")}, movingRows(done));
   report.figure(speedsFigure(done));
 }
 

@@ -37,7 +37,7 @@ bool isFrom(const Estimate& difference) {
 
 MapChange changeOf(const FrictionMap& before, const FrictionMap& after, const Quantity& quantity, size_t way) {
   MapChange change;
-  change.quantity = std::string(quantity.name) + ", " + mapUnitsOf(after.axis).ways[way];
+  change.quantity = std::string(quantity.name) + ", " + message(mapUnitsOf(after.axis).ways[way]).english();
   double sum = 0.0, variance = 0.0;
   for (const MapBin& bin : after.bins) {
     const Estimate d = difference(binAt(before, bin.angle_rad).way[way].*quantity.of, bin.way[way].*quantity.of);
@@ -130,15 +130,15 @@ std::vector<MapChange> compareMaps(const FrictionMap& before, const FrictionMap&
 Figure ghostFigure(const FrictionMap& before, const FrictionMap& after) {
   const MapUnits& units = mapUnitsOf(after.axis);
   const bool around = after.axis == Axis::rotary;
-  Figure figure{std::string("Static ") + units.torque + ", earlier dashed", around ? "" : units.place,
+  Figure figure{"Static " + message(units.torque) + ", earlier dashed", around ? Message() : message(units.place),
                 units.torqueTitle()};
   figure.polar = around;
   for (size_t way = 0; way < 2; ++way) {
     Curve ghost = staticCurve(before, way), now = staticCurve(after, way);
-    ghost.label = std::string("earlier, ") + units.ways[way];
+    ghost.label = "earlier, " + message(units.ways[way]);
     ghost.style = Curve::Style::dashed;
     ghost.width_px = 1.1;
-    now.label = units.ways[way];
+    now.label = message(units.ways[way]);
     for (const MapBin& bin : after.bins) {
       now.low.push_back(units.torqueScale * bin.way[way].static_Nm.low95());
       now.high.push_back(units.torqueScale * bin.way[way].static_Nm.high95());
@@ -152,10 +152,10 @@ Figure ghostFigure(const FrictionMap& before, const FrictionMap& after) {
 
 Figure differenceFigure(const FrictionMap& before, const FrictionMap& after) {
   const MapUnits& units = mapUnitsOf(after.axis);
-  Figure figure{std::string("Static ") + units.torque + ", after − before", units.place, units.torqueTitle()};
+  Figure figure{"Static " + message(units.torque) + ", after − before", message(units.place), units.torqueTitle()};
   for (size_t way = 0; way < 2; ++way) {
     Curve curve;
-    curve.label = units.ways[way];
+    curve.label = message(units.ways[way]);
     curve.colour = wayColour(way);
     for (const MapBin& bin : after.bins) {
       const Estimate d = difference(binAt(before, bin.angle_rad).way[way].static_Nm, bin.way[way].static_Nm);

@@ -1,37 +1,34 @@
 #include "report/map_figures.h"
 
-#include <fmt/core.h>
 #include <algorithm>
-#include <cctype>
 #include <numbers>
 #include <utility>
 
 namespace breakaway {
 
-namespace {
-
-std::string begun(std::string text) {
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
-
-}  // namespace
-
 const MapUnits& mapUnitsOf(Axis axis) {
-  static const MapUnits rotor{{"clockwise", "counter-clockwise"},
-                              "angle / °",
+  static const MapUnits rotor{{marked("clockwise"), marked("counter-clockwise")},
+                              marked("angle / °"),
                               180.0 / std::numbers::pi,
-                              "torque",
+                              marked("torque"),
                               "mNm",
                               1e3,
-                              "turn",
+                              marked("turn"),
+                              marked("turns"),
                               "µNm s/rad",
                               1e6,
-                              "rad/s",
-                              " around the rotor"};
-  static const MapUnits travel{
-      {"backwards", "forwards"}, "position / mm", 1e3, "force", "N", 1.0, "pass", "N s/m", 1.0, "m/s",
-      " over the travel"};
+                              "rad/s"};
+  static const MapUnits travel{{marked("backwards"), marked("forwards")},
+                               marked("position / mm"),
+                               1e3,
+                               marked("force"),
+                               "N",
+                               1.0,
+                               marked("pass"),
+                               marked("passes"),
+                               "N s/m",
+                               1.0,
+                               "m/s"};
   return axis == Axis::linear ? travel : rotor;
 }
 
@@ -41,11 +38,11 @@ double staticMean(const FrictionMap& map, size_t way) {
   return sum / static_cast<double>(map.bins.size());
 }
 
-std::string repeatWords(const FrictionMap& map) {
+Message repeatWords(const FrictionMap& map) {
   const MapUnits& units = mapUnitsOf(map.axis);
-  if (map.turns < 2) return fmt::format("one {} tells nothing of how well it repeats", units.pass);
-  return fmt::format("consecutive {} correlate by {:.3f} and {:.3f}", units.passes(), map.repeatability[0].correlation,
-                     map.repeatability[1].correlation);
+  if (map.turns < 2) return message("one {} tells nothing of how well it repeats", message(units.pass));
+  return message("consecutive {} correlate by {:.3f} and {:.3f}", message(units.passes),
+                 map.repeatability[0].correlation, map.repeatability[1].correlation);
 }
 
 std::array<std::string, 2> repeatCells(const FrictionMap& map, size_t way) {
@@ -56,7 +53,7 @@ std::array<std::string, 2> repeatCells(const FrictionMap& map, size_t way) {
 
 Curve outlierCurve(const FrictionMap& map, double placeScale) {
   Curve outliers;
-  outliers.label = "outlier";
+  outliers.label = message("outlier");
   outliers.style = Curve::Style::points;
   outliers.colour = 6;
   outliers.width_px = 3.0;
@@ -70,13 +67,13 @@ Curve outlierCurve(const FrictionMap& map, double placeScale) {
   return outliers;
 }
 
-Figure mapFigure(const FrictionMap& map, const std::string& title, const std::string& yTitle, double scale,
+Figure mapFigure(const FrictionMap& map, const Message& title, const Message& yTitle, double scale,
                  Estimate (*get)(const WayBin&)) {
   const MapUnits& units = mapUnitsOf(map.axis);
-  Figure figure{title, units.place, yTitle};
+  Figure figure{title, message(units.place), yTitle};
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
-    curve.label = units.ways[w];
+    curve.label = message(units.ways[w]);
     curve.colour = wayColour(w);
     for (const MapBin& bin : map.bins) {
       const Estimate estimate = get(bin.way[w]);
@@ -92,11 +89,13 @@ Figure mapFigure(const FrictionMap& map, const std::string& title, const std::st
 
 Figure passesFigure(const FrictionMap& map, size_t way) {
   const MapUnits& units = mapUnitsOf(map.axis);
-  Figure figure{begun(units.pass) + " by " + units.pass + ", " + units.ways[way], units.place,
-                "breakaway " + units.torqueTitle()};
+  const bool linear = map.axis == Axis::linear;
+  const Message wayName = message(units.ways[way]);
+  Figure figure{linear ? message("Pass by pass, {}", wayName) : message("Turn by turn, {}", wayName),
+                message(units.place), message("breakaway {}", units.torqueTitle())};
   for (size_t pass = 0; pass < map.turnStatic_Nm[way].size(); ++pass) {
     Curve curve;
-    curve.label = std::string(units.pass) + " " + std::to_string(pass + 1);
+    curve.label = message("{} {}", message(units.pass), pass + 1);
     for (size_t k = 0; k < map.bins.size(); ++k) {
       curve.x.push_back(units.placeScale * map.bins[k].angle_rad);
       curve.y.push_back(units.torqueScale * map.turnStatic_Nm[way][pass][k]);
@@ -106,16 +105,18 @@ Figure passesFigure(const FrictionMap& map, size_t way) {
   return figure;
 }
 
-Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const std::string& speedTitle) {
+Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const Message& speedTitle) {
   const MapUnits& units = mapUnitsOf(done.identity.axis);
-  Figure figure{begun(units.torque) + " at constant speed", speedTitle, units.torqueTitle()};
+  const bool linear = done.linear();
+  Figure figure{linear ? message("Force at constant speed") : message("Torque at constant speed"), speedTitle,
+                units.torqueTitle()};
   for (size_t w = 0; w < 2; ++w) {
-    points[w].label = units.ways[w];
+    points[w].label = message(units.ways[w]);
     points[w].style = Curve::Style::points;
     points[w].width_px = 3.5;
     Curve line;
     points[w].colour = line.colour = wayColour(w);
-    line.label = std::string("Coulomb and viscous, ") + units.ways[w];
+    line.label = message("Coulomb and viscous, {}", message(units.ways[w]));
     double highest = 0.0;
     for (const double speed : points[w].x) highest = std::max(highest, speed);
     for (const double speed : {0.0, highest}) {

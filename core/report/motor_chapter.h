@@ -9,7 +9,10 @@
 namespace breakaway {
 
 /// "1.23 mNm (1.20 to 1.26)", value and 95 % interval times `scale`.
-std::string withInterval(const Estimate& estimate, double scale, const std::string& unit);
+Message withInterval(const Estimate& estimate, double scale, const Message& unit);
+inline Message withInterval(const Estimate& estimate, double scale, const char* unit) {
+  return withInterval(estimate, scale, Message(unit));
+}
 
 /// The identified motor with its intervals, and the bridge's curve where it bends.
 void motorChapter(HtmlReport& report, const Commission& done);

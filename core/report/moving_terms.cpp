@@ -59,10 +59,10 @@ std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set,
 Figure overTime(const Drawn& drawn) {
   const bool shapes = drawn.effect.input(drawn.track.drive) != nullptr;
   Figure figure{.title = {},
-                .xLabel = "time / s",
-                .yLabel = shapes                        ? "acting − commanded drive"
-                          : drawn.effect.losesVoltage() ? "lost voltage at half the peak current / V"
-                                                        : torqueLabel(drawn, "opposing")};
+                .xLabel = message("time / s"),
+                .yLabel = shapes                        ? message("acting − commanded drive")
+                          : drawn.effect.losesVoltage() ? message("lost voltage at half the peak current / V")
+                                                        : torqueLabel(drawn, TorqueLabel::opposing)};
   Curve curve{.label = {}, .x = {}, .y = {}, .colour = 0};
   for (const auto& set : drawn.sets) {
     const std::vector<double> course = courseOf(drawn, set, curve.x);
@@ -85,8 +85,8 @@ Figure overTravel(const Drawn& drawn) {
   if (const ElasticFriction* elastic = drawn.effect.elastic()) {
     const double friction = std::max(drawn.physics.coulomb, 1e-12);
     const double reach = 6.0 * friction / elastic->stiffness(p);
-    figure.xLabel = "travel since reversal / " + unit;
-    figure.yLabel = torqueLabel(drawn, "friction");
+    figure.xLabel = message("travel since reversal / {}", unit);
+    figure.yLabel = torqueLabel(drawn, TorqueLabel::friction);
     figure.curves.push_back(curveOf(
         drawn, between(0.0, scale * reach),
         [&](const std::vector<double>& set, double x) {
@@ -94,8 +94,8 @@ Figure overTravel(const Drawn& drawn) {
           return torqueScale(drawn) * friction *
                  (1.0 - 2.0 * std::exp(-elastic->stiffness(set) * x / scale / friction));
         },
-        "with " + std::string(drawn.effect.name())));
-    figure.curves.push_back({.label = "rigid friction",
+        message("with {}", nameOfEffect(std::string(drawn.effect.name())))));
+    figure.curves.push_back({.label = message("rigid friction"),
                              .x = {0.0, scale * reach},
                              .y = {torqueScale(drawn) * friction, torqueScale(drawn) * friction},
                              .style = Curve::Style::dashed,
@@ -105,15 +105,15 @@ Figure overTravel(const Drawn& drawn) {
   // Torque over the twist between motor and load.
   const LoadPart& load = *drawn.effect.load();
   const double play = load.loadOf(p).play(), reach = 1.5 * play;
-  figure.xLabel = "motor − load / " + unit;
-  figure.yLabel = torqueLabel(drawn, "transmitted");
+  figure.xLabel = message("motor − load / {}", unit);
+  figure.yLabel = torqueLabel(drawn, TorqueLabel::transmitted);
   figure.curves.push_back(
       curveOf(drawn, between(-scale * reach, scale * reach), [&](const std::vector<double>& set, double x) {
         const TwoMass at = load.loadOf(set);
         const double beyond = std::abs(x / scale) - at.halfGap;
         return beyond > 0.0 ? torqueScale(drawn) * (x > 0.0 ? 1.0 : -1.0) * at.stiffness() * beyond : 0.0;
       }));
-  figure.highlights.push_back({-0.5 * scale * play, 0.5 * scale * play, "play"});
+  figure.highlights.push_back({-0.5 * scale * play, 0.5 * scale * play, message("play")});
   return figure;
 }
 
@@ -129,10 +129,10 @@ Figure overFrequency(const Drawn& drawn) {
   std::vector<double> x;
   const double highest = drawn.seen.step_s > 0.0 ? 0.5 / drawn.seen.step_s : 500.0;
   for (const double part : between(0.0, std::log(highest))) x.push_back(std::exp(part));
-  Figure figure{.title = {}, .xLabel = "frequency / Hz", .yLabel = {}};
+  Figure figure{.title = {}, .xLabel = message("frequency / Hz"), .yLabel = {}};
   figure.logX = true;
   if (const LoadPart* load = drawn.effect.load()) {
-    figure.yLabel = "answer to torque, two masses to one";
+    figure.yLabel = message("answer to torque, two masses to one");
     figure.logY = true;
     figure.curves.push_back(curveOf(drawn, x, [&](const std::vector<double>& set, double hertz) {
       using Complex = std::complex<double>;
@@ -145,7 +145,7 @@ Figure overFrequency(const Drawn& drawn) {
     }));
     return figure;
   }
-  figure.yLabel = "phase that the delay takes / °";
+  figure.yLabel = message("phase that the delay takes / °");
   figure.curves.push_back(curveOf(
       drawn, x, [&](const std::vector<double>& set, double hertz) { return -360.0 * hertz * lateness(drawn, set); }));
   return figure;

@@ -177,14 +177,14 @@ Result<void> writeComparison(const RunComparison& comparison, const std::string&
     if (auto done = writeFile(folder + "/figures/map.svg", svgWithMade(map)); !done) return done;
     if (auto done = writeSvg(over, folder + "/figures/difference.svg"); !done) return done;
     report.list([&] {
-      std::vector<std::string> lines;
+      std::vector<Saying> lines;
       lines.reserve(comparison.maps.size());
       for (const MapChange& one : comparison.maps) lines.push_back(sentenceOf(one, comparison.mapAfter->axis));
       return lines;
     }());
   }
   if (!comparison.values.empty()) {
-    std::vector<std::vector<std::string>> rows;
+    std::vector<std::vector<Saying>> rows;
     rows.reserve(comparison.values.size());
     for (const ValueChange& one : comparison.values)
       rows.push_back({one.before.name, numberAndInterval(one.before), numberAndInterval(one.after), percent(one),

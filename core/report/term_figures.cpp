@@ -19,8 +19,8 @@ Figure overVelocity(const Drawn& drawn) {
   const Physics& p = drawn.physics;
   const auto base = [&](double speed) { return torqueScale(drawn) * (p.viscous * speed + p.coulomb); };
   Figure figure{.title = {},
-                .xLabel = rotary(drawn) ? "speed / rad/s" : "speed / m/s",
-                .yLabel = torqueLabel(drawn, "resisting")};
+                .xLabel = rotary(drawn) ? message("speed / {}", "rad/s") : message("speed / {}", "m/s"),
+                .yLabel = torqueLabel(drawn, TorqueLabel::resisting)};
   addWays(figure, drawn, x, [&](double direction) -> Value {
     return [&drawn, base, direction](const std::vector<double>& set, double speed) {
       Situation at = typical(drawn);
@@ -29,7 +29,8 @@ Figure overVelocity(const Drawn& drawn) {
       return base(speed) + direction * opposing(drawn, set, at);
     };
   });
-  Curve plain{.label = "dry and viscous friction alone", .x = x, .y = {}, .style = Curve::Style::dashed, .colour = 6};
+  Curve plain{
+      .label = message("dry and viscous friction alone"), .x = x, .y = {}, .style = Curve::Style::dashed, .colour = 6};
   for (const double speed : x) plain.y.push_back(base(speed));
   figure.curves.push_back(std::move(plain));
   return figure;
@@ -60,9 +61,10 @@ Figure overAngle(const Drawn& drawn) {
     };
   };
   Figure figure{.title = {},
-                .xLabel = rotary(drawn) ? "angle / °" : "position / mm",
-                .yLabel = encoder != nullptr ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm")
-                                             : torqueLabel(drawn, friction ? "resisting" : "opposing")};
+                .xLabel = rotary(drawn) ? message("angle / °") : message("position / mm"),
+                .yLabel = encoder != nullptr
+                              ? message("shown − true / {}", rotary(drawn) ? "°" : "mm")
+                              : torqueLabel(drawn, friction ? TorqueLabel::resisting : TorqueLabel::opposing)};
   if (whole) figure.xRange = {0.0, 360.0};
   addWays(figure, drawn, between(scale * low, scale * high), valueAt);
   return figure;
@@ -85,7 +87,9 @@ Figure overKnownLoad(const Drawn& drawn) {
     at.knownLoad = x;
     return opposing(drawn, set, at);
   };
-  Figure figure{.title = {}, .xLabel = torqueLabel(drawn, "known load's"), .yLabel = torqueLabel(drawn, "opposing")};
+  Figure figure{.title = {},
+                .xLabel = torqueLabel(drawn, TorqueLabel::knownLoad),
+                .yLabel = torqueLabel(drawn, TorqueLabel::opposing)};
   figure.curves.push_back(curveOf(drawn, between(-drawn.seen.knownLoad, drawn.seen.knownLoad), value));
   for (double& x : figure.curves.back().x) x *= torqueScale(drawn);
   return figure;
@@ -105,8 +109,8 @@ Figure overCurrent(const Drawn& drawn) {
     return volts ? drawn.effect.term(set, at).voltage_V : opposing(drawn, set, at);
   };
   Figure figure{.title = {},
-                .xLabel = amperes ? "current / A" : torqueLabel(drawn, "motor"),
-                .yLabel = volts ? "lost voltage / V" : torqueLabel(drawn, "opposing")};
+                .xLabel = amperes ? message("current / A") : torqueLabel(drawn, TorqueLabel::motor),
+                .yLabel = volts ? message("lost voltage / V") : torqueLabel(drawn, TorqueLabel::opposing)};
   figure.curves.push_back(curveOf(drawn, between(-end, end), value));
   if (!amperes) {
     for (double& x : figure.curves.back().x) x *= torqueScale(drawn);
@@ -141,9 +145,10 @@ std::vector<NamedFigure> termFigures(const Diagnosis& d, const std::vector<Track
                                             : nullptr;
     if (draw == nullptr) continue;
     Figure figure = draw(drawn);
-    figure.title = finding.effect + ": what it adds";
+    figure.title = message("{}: what it adds", nameOfEffect(finding.effect));
     figures.push_back({"term_" + finding.effect,
-                       "The band is what remains when each parameter moves within its 95 % interval.", figure});
+                       message("The band is what remains when each parameter moves within its 95 % interval."),
+                       figure});
   }
   return figures;
 }

@@ -15,7 +15,8 @@ constexpr double unlimited_V = 1e6;
 /// The motor between two ticks.
 class Shaft {
  public:
-  Shaft(const ServoLoop& loop, double coulomb_Nm) : motor_(loop.motor), coulomb_Nm_(coulomb_Nm) {
+  Shaft(const ServoLoop& loop, const StepWanted& wanted)
+      : motor_(loop.motor), coulomb_Nm_(wanted.coulomb_Nm), static_Nm_(std::max(wanted.static_Nm, wanted.coulomb_Nm)) {
     const double tick_s = loop.board.tick_s;
     double substeps = leastSubsteps;
     if (loop.current == CurrentPath::winding)
@@ -46,7 +47,7 @@ class Shaft {
   void move() {
     const double drive_Nm = motor_.torqueConstant_Nm_per_A * current_A - motor_.viscous_Nm_s_per_rad * speed;
     const double per_s = step_s_ / motor_.inertia_kg_m2;
-    if (speed == 0.0 && std::abs(drive_Nm) <= coulomb_Nm_) return;
+    if (speed == 0.0 && std::abs(drive_Nm) <= static_Nm_) return;
     const double way = speed != 0.0 ? std::copysign(1.0, speed) : std::copysign(1.0, drive_Nm);
     double next = speed + per_s * (drive_Nm - way * coulomb_Nm_);
     if (speed != 0.0 && next * speed < 0.0) next = 0.0;  // friction stops it, and doesn't turn it round
@@ -55,7 +56,7 @@ class Shaft {
   }
 
   LoopMotor motor_;
-  double coulomb_Nm_, step_s_ = 0.0;
+  double coulomb_Nm_, static_Nm_, step_s_ = 0.0;
   int count_ = 1;
 };
 
@@ -69,7 +70,7 @@ PredictedStep predictStep(const ServoLoop& loop, const StepWanted& wanted) {
   const double tick_s = loop.board.tick_s;
   ServoController<double> controller(loop.board);
   controller.configure(loop.settings);
-  Shaft shaft(loop, wanted.coulomb_Nm);
+  Shaft shaft(loop, wanted);
   const bool position = loop.mode == ServoMode::position;
   const double from = position ? 0.0 : wanted.from_rad_per_s, to = position ? wanted.to_rad : wanted.to_rad_per_s;
   shaft.speed = position ? 0.0 : wanted.from_rad_per_s;

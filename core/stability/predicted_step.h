@@ -14,7 +14,8 @@ struct StepWanted {
   double before_s = 0.1;    ///< at the first speed, so that the loop is settled
   double after_s = 0.6;     ///< from the step on
   double supply_V = 0.0;    ///< of the bridge; 0: no limit
-  double coulomb_Nm = 0.0;  ///< friction against every motion; a standing shaft bears as much
+  double coulomb_Nm = 0.0;  ///< friction against every motion
+  double static_Nm = 0.0;   ///< what a standing shaft bears; less than coulomb_Nm counts as that
 };
 
 /// One value per tick; times from the step on, the first ones lie before it.

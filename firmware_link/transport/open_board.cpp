@@ -50,12 +50,13 @@ Result<void> takeOptions(const std::string& options, BoardRequest& request) {
 }
 
 Error nobody(const ByteAddress& address, bool vescOnly) {
-  std::string fact =
-      vescOnly ? "nothing answers as a VESC" : "nothing answers as a board: neither Breakaway's firmware nor a VESC";
-  fact += "; check that it has power";
-  if (address.kind == ByteAddress::Kind::serial)
-    fact += ", that this is its port, and the baud rate (" + std::to_string(address.baud) + ")";
-  return {address.words(), fact};
+  const Message fact = vescOnly ? message("nothing answers as a VESC")
+                                : message("nothing answers as a board: neither Breakaway's firmware nor a VESC");
+  const Message advice =
+      address.kind == ByteAddress::Kind::serial
+          ? message("; check that it has power, that this is its port, and the baud rate ({})", address.baud)
+          : message("; check that it has power");
+  return {address.words(), fact + advice};
 }
 
 Result<std::unique_ptr<Drive>> openOnWire(const std::string& uri, bool vescOnly, const BoardRequest& request) {

@@ -20,7 +20,8 @@ constexpr double connectWait_s = 2.0;
 Error withThosePresent(const Error& error) {
   std::string all;
   for (const SerialPort& one : serialPorts()) all += (all.empty() ? "" : ", ") + one.words();
-  return {error.place, error.fact + (all.empty() ? "; none is plugged in" : "; there are: " + all)};
+  return {error.place,
+          error.fact + "; " + (all.empty() ? message("none is plugged in") : message("there are: {}", all))};
 }
 
 Result<Descriptor> openDescriptor(const ByteAddress& address) {

@@ -22,8 +22,10 @@ Error denied(const std::string& device, const std::string& place) {
     if (const group* owner = ::getgrgid(kind.st_gid); owner != nullptr) groupName = owner->gr_name;
   }
   if (const passwd* self = ::getpwuid(::geteuid()); self != nullptr) user = self->pw_name;
-  return {place, "may not be opened by " + user + "; it belongs to the group " + groupName + ": run \"sudo adduser " +
-                     user + " " + groupName + "\", then log out and in again"};
+  return {place,
+          message("may not be opened by {}; it belongs to the group {}: run \"sudo adduser {} {}\", then log out "
+                  "and in again",
+                  user, groupName, user, groupName)};
 }
 
 Error notOpened(const std::string& device, const std::string& place, int reason) {
@@ -32,13 +34,13 @@ Error notOpened(const std::string& device, const std::string& place, int reason)
     case EPERM:
       return denied(device, place);
     case EBUSY:
-      return {place, "is in use by another program; close it, and ModemManager too if it runs"};
+      return {place, message("is in use by another program; close it, and ModemManager too if it runs")};
     case ENOENT:
     case ENODEV:
     case ENXIO:
-      return {place, "there is no such port"};
+      return {place, message("there is no such port")};
     default:
-      return {place, std::string("cannot be opened: ") + std::strerror(reason)};
+      return {place, message("cannot be opened: {}", std::strerror(reason))};
   }
 }
 

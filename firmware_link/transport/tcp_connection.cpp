@@ -46,14 +46,14 @@ int connectOne(const addrinfo& address, double wait_s, Descriptor& connection) {
   return 0;
 }
 
-std::string whyNot(int reason, double wait_s) {
+Message whyNot(int reason, double wait_s) {
   switch (reason) {
     case ECONNREFUSED:
-      return "refuses the connection: nothing listens on that port";
+      return message("refuses the connection: nothing listens on that port");
     case ETIMEDOUT:
-      return fmt::format("does not answer within {:.1f} s", wait_s);
+      return message("does not answer within {:.1f} s", wait_s);
     default:
-      return std::string("cannot be reached: ") + std::strerror(reason);
+      return message("cannot be reached: {}", std::strerror(reason));
   }
 }
 

@@ -1228,6 +1228,10 @@
         <source>tries again every second, motor off</source>
         <translation>versucht es jede Sekunde wieder, Motor aus</translation>
     </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::BoardList</name>
@@ -1700,7 +1704,7 @@
     </message>
     <message>
         <source>Choose a board and connect. Nothing moves, and nothing is written to it.</source>
-        <translation>Ein Board wählen und verbinden. Nichts bewegt sich, und nichts wird darauf geschrieben.</translation>
+        <translation>Ein Board wählen und verbinden. Nichts bewegt sich, nichts wird geschrieben.</translation>
     </message>
     <message>
         <source>Disconnect</source>
@@ -1921,6 +1925,22 @@
     <message>
         <source>What came of connecting, and what is next</source>
         <translation>Was aus dem Verbinden wurde, und was als Nächstes kommt</translation>
+    </message>
+    <message>
+        <source>Identify the motor</source>
+        <translation>Motor identifizieren</translation>
+    </message>
+    <message>
+        <source>Go on to Drive by hand</source>
+        <translation>Weiter: Von Hand fahren</translation>
+    </message>
+    <message>
+        <source>Go on to Identify</source>
+        <translation>Weiter: Identifizieren</translation>
+    </message>
+    <message>
+        <source>The next step; nothing moves before it is asked to</source>
+        <translation>Der nächste Schritt; nichts bewegt sich, bevor es verlangt wird</translation>
     </message>
 </context>
 <context>
@@ -2348,6 +2368,10 @@
         <source>Mean of all bins, which share their errors; 95 % interval</source>
         <translation>Mittel aller Winkel, die ihre Fehler gemeinsam haben; 95-%-Intervall</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::HandPage</name>
@@ -2677,6 +2701,10 @@
         <source>In the board&apos;s own angle, whole turns left out; mean over the passes</source>
         <translation>Im eigenen Winkel des Boards, ohne ganze Umdrehungen; Mittel über die Durchgänge</translation>
     </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::IdentifyPage</name>
@@ -2791,6 +2819,10 @@
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>Einstellen</translation>
     </message>
 </context>
 <context>
@@ -3579,6 +3611,58 @@
         <source>Identify the motor: what it shows standing and turning is drawn here</source>
         <translation>Motor identifizieren: was er im Stand und in Bewegung zeigt, steht dann hier</translation>
     </message>
+    <message>
+        <source>Overview</source>
+        <translation>Überblick</translation>
+    </message>
+    <message>
+        <source>The line of the standing motor, and that of the turning one</source>
+        <translation>Die Gerade des stehenden Motors, und die des drehenden</translation>
+    </message>
+    <message>
+        <source>Winding</source>
+        <translation>Wicklung</translation>
+    </message>
+    <message>
+        <source>Current over voltage, and what the line leaves of it</source>
+        <translation>Strom über Spannung, und was die Gerade davon übrig lässt</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>How fast the motor turned, and its back-EMF</source>
+        <translation>Wie schnell der Motor drehte, und seine Gegenspannung</translation>
+    </message>
+    <message>
+        <source>Reversal</source>
+        <translation>Umkehr</translation>
+    </message>
+    <message>
+        <source>Speed and current, and the speed that the inertia foretells</source>
+        <translation>Geschwindigkeit und Strom, und die Geschwindigkeit, die das Trägheitsmoment vorhersagt</translation>
+    </message>
+    <message>
+        <source>Not measured yet</source>
+        <translation>Noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Hübe</translation>
+    </message>
+    <message>
+        <source>Speed (%1) over time (s)</source>
+        <translation>Geschwindigkeit (%1) über Zeit (s)</translation>
+    </message>
+    <message>
+        <source>What the line leaves of the current (mA) over voltage (V)</source>
+        <translation>Was die Gerade vom Strom übrig lässt (mA) über Spannung (V)</translation>
+    </message>
+    <message>
+        <source>Current (A) over time (s)</source>
+        <translation>Strom (A) über Zeit (s)</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::Page</name>
@@ -4082,6 +4166,26 @@
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
     </message>
+    <message>
+        <source>Language of the report</source>
+        <translation>Sprache des Berichts</translation>
+    </message>
+    <message>
+        <source>The language in which the report is written; files that programs read stay as they are</source>
+        <translation>Die Sprache, in der der Bericht geschrieben wird; Dateien, die Programme lesen, bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>In the window&apos;s language</source>
+        <translation>In der Sprache des Fensters</translation>
+    </message>
+    <message>
+        <source>In English</source>
+        <translation>Auf Englisch</translation>
+    </message>
+    <message>
+        <source>In German</source>
+        <translation>Auf Deutsch</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::ResidualPlots</name>
@@ -4139,7 +4243,7 @@
     </message>
     <message>
         <source>Open or drop a recording and its bench file, or press Example</source>
-        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hierher ziehen, oder „Beispiel“ drücken</translation>
+        <translation>Aufzeichnung und Prüfstandsdatei öffnen oder herziehen, oder „Beispiel“</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4313,14 @@
     <message>
         <source>Stopped: %1. What was measured is kept.</source>
         <translation>Angehalten: %1. Was gemessen wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>How the last run ended, and what is next</source>
+        <translation>Wie der letzte Lauf endete, und was als Nächstes kommt</translation>
+    </message>
+    <message>
+        <source>Done. Next: %1</source>
+        <translation>Fertig. Weiter: %1</translation>
     </message>
 </context>
 <context>

@@ -152,6 +152,15 @@ void TestBoardTuning::friction_isTheBestKnown() {
   QVERIFY(std::abs(known(bench(), checked, {step}).coulomb_Nm - (0.07 * 0.25 - 2e-5 * 20.0)) < 1e-9);
   QCOMPARE(known(bench(), {}, {early}).source, FrictionSource::benchFile);  // it never came to its speed
   QCOMPARE(known(bench(), found, {step}).coulomb_Nm, 0.0168);
+  // A standing shaft bears what its map says, else what the wiring check saw, but never less than a moving one.
+  QCOMPARE(known(bench(), found, {}).static_Nm, 0.0168);
+  found.wiring = checked.wiring;
+  QCOMPARE(known(bench(), found, {}).static_Nm, 0.07 * 0.35);
+  found.facts.add({Known::map});
+  found.map.bins.resize(1);
+  found.map.bins[0].way[0].static_Nm.value = 0.020;
+  found.map.bins[0].way[1].static_Nm.value = 0.022;
+  QCOMPARE(known(bench(), found, {}).static_Nm, 0.021);
 }
 
 /// A board that rubs, of which no friction is known: with what a velocity step showed, the position step is foretold.

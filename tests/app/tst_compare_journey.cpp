@@ -9,13 +9,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollBar>
 #include <QTableWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QThread>
 #include <cmath>
 
 #include "app/rendered_tree.h"
 #include "app/technician.h"
 #include "app/window_support.h"
+#include "base/atomic_file.h"
 #include "house/program.h"
 #include "session/language.h"
 #include "support/real_recordings.h"
@@ -181,6 +186,36 @@ void TestCompareJourney::example_isDiagnosed() {
   QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(desk.window, "openReportButton")->isEnabled(), patience_ms);
   QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
   QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
+  // A picture after a list is none of its items.
+  auto* preview = named<QTextBrowser>(desk.window, "reportPreview");
+  press(desk.window, "reportOfComparison");
+  QTRY_VERIFY_WITH_TIMEOUT(preview->toPlainText().contains("Where it shows"), patience_ms);
+  size_t pictures = 0;
+  for (QTextBlock block = preview->document()->begin(); block.isValid(); block = block.next()) {
+    if (!block.text().contains(QChar::ObjectReplacementCharacter)) continue;
+    QVERIFY2(block.textList() == nullptr, qPrintable(block.text()));
+    ++pictures;
+  }
+  QVERIFY(pictures > 3);
+  QCOMPARE(preview->horizontalScrollBar()->maximum(), 0);
+  // In German all of it but what programs read, and where formulas come from.
+  QTemporaryDir other;
+  desk.answers.byTitle["Write the comparison's report into a folder"] = other.path();
+  auto* language = named<QComboBox>(desk.window, "reportLanguage");
+  language->setCurrentIndex(language->findData("de"));
+  press(desk.window, "writeComparisonReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(QFile(other.filePath("report.html")).size() > 5000, patience_ms);
+  QString report = QString::fromStdString(*readFile(other.filePath("report.html").toStdString()));
+  report.remove(QRegularExpression("<(style|details).*?</\\1>", QRegularExpression::DotMatchesEverythingOption))
+      .replace(QRegularExpression("<[^>]*>"), " ");
+  QVERIFY2(report.contains("Dem Modell fehlt: "), qPrintable(report.left(500)));
+  static const QRegularExpression english(
+      "\\b(the|of|and|is|to|from|with|by|before|after|held|window|model|error|speed|torque|time)\\b");
+  const auto left = english.match(report);
+  QVERIFY2(!left.hasMatch(),
+           qPrintable(report.mid(std::max<qsizetype>(0, left.capturedStart() - 60), 120).simplified()));
+  QVERIFY(readFile(other.filePath("diagnosis.json").toStdString())->find("Near standstill friction is") !=
+          std::string::npos);
 }
 
 void TestCompareJourney::clicks_areAsTheManualCounts() {

@@ -137,7 +137,7 @@ void TestKept::linkLostWhileRecording_leavesPlotsAndRecording() {
   for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point)
     gaps += std::isnan(point->value) ? 1 : 0;
   QCOMPARE(gaps, 1);
-  QVERIFY(desk.session.live.stretch(0.0, 1e9).ok());
+  QVERIFY(desk.session.live.stretch(desk.session.live.history(), 0.0, 1e9).ok());
   // Another one begins anew.
   desk.session.connection.open("simulated");
   QVERIFY(!mark->visible());

@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <cmath>
 
 #include "app/desk.h"
@@ -33,6 +35,9 @@ class TestPages : public QObject {
   void positionLoop_hasItsOwnGainsAndStep();
   void emptyCards_sayWhatFillsThem();
   void connected_leadsOnByAClick();
+  void identify_showsEachStep();
+  void parameters_leaveEveryPageItsWidth_data();
+  void parameters_leaveEveryPageItsWidth();
   void facts_takeAnotherLineWhereTheyHaveNoRoom();
   void cursors_tellTheirDifferenceWhole();
   void identify_keepsItsPlacesWhateverIsKnown();
@@ -153,6 +158,100 @@ void TestPages::connected_leadsOnByAClick() {
   QVERIFY2(state->text().contains("href='identifyPage'"), qPrintable(state->text()));
   emit state->linkActivated("frictionPage");
   QVERIFY(named<QWidget>(desk.window, "frictionPage")->isVisible());
+  // One button at the head is to be pressed: before there is a board to connect, then to go on.
+  desk.window.showPage("connectPage");
+  const auto isPrimary = [&desk](const char* name) {
+    return named<QPushButton>(desk.window, name)->property("role").toString() == "primary";
+  };
+  QVERIFY(isPrimary("goOnButton") && !isPrimary("connectButton"));
+  press(desk.window, "goOnButton");
+  QVERIFY(named<QWidget>(desk.window, "identifyPage")->isVisible());
+  desk.window.showPage("connectPage");
+  press(desk.window, "disconnectButton");
+  QTRY_VERIFY(!desk.session.connection.connected());
+  QVERIFY(!isPrimary("goOnButton") && isPrimary("connectButton"));
+  QVERIFY(!named<QPushButton>(desk.window, "goOnButton")->isEnabled());
+}
+
+/// The identified motor's own tests, drawn one by one; what was done names what comes next.
+void TestPages::identify_showsEachStep() {
+  Desk desk;
+  desk.window.resize(1280, 720);
+  QVERIFY(desk.connected());
+  desk.window.showPage("identifyPage");
+  const auto chip = [&desk](const char* name) { return named<QPushButton>(desk.window, name); };
+  QVERIFY(!chip("testsOfReversal")->isEnabled() && !chip("testsOfReversal")->toolTip().isEmpty());
+  press(desk.window, "identifyButton");
+  QVERIFY(QTest::qWaitFor(
+      [&desk] { return desk.session.bench.known().knows(Known::motor) && !desk.session.connection.run().running(); },
+      patience_ms));
+  auto* plot = named<QWidget>(desk.window, "motorTestsPlot")->findChild<QCustomPlot*>();
+  const auto titles = [plot] {
+    QStringList found;
+    for (int k = 0; k < plot->plotLayout()->elementCount(); ++k) {
+      if (const auto* one = qobject_cast<QCPTextElement*>(plot->plotLayout()->elementAt(k))) found << one->text();
+    }
+    return found.join(" | ");
+  };
+  QVERIFY2(titles().contains("back-EMF"), qPrintable(titles()));
+  for (const auto& [name, title] :
+       {std::pair{"testsOfWinding", "mA"}, {"testsOfSpin", "back-EMF"}, {"testsOfReversal", "Current (A) over time"}}) {
+    press(desk.window, name);
+    QVERIFY2(chip(name)->isChecked() && titles().contains(title), qPrintable(titles()));
+    QVERIFY(plot->graph(0)->dataCount() > 50 && plot->graph(2)->dataCount() > 50);
+  }
+  // The speed that inertia, friction and current foretell between reversals is the measured one.
+  const auto measured = plot->graph(0)->data(), foretold = plot->graph(1)->data();
+  double off = 0.0, size = 0.0;
+  for (const auto& point : *foretold) {
+    const auto at = measured->findBegin(point.key, false);
+    if (at == measured->constEnd() || std::isnan(point.value) || std::isnan(at->value)) continue;
+    off += (point.value - at->value) * (point.value - at->value);
+    size += at->value * at->value;
+  }
+  QVERIFY2(size > 0.0 && std::sqrt(off / size) < 0.1, qPrintable(QString::number(std::sqrt(off / size))));
+  auto* said = named<QLabel>(desk.window, "identifyRunActivity");
+  QVERIFY2(said->text().contains("href='tunePage'"), qPrintable(said->text()));
+  emit said->linkActivated("tunePage");
+  QVERIFY(named<QWidget>(desk.window, "tunePage")->isVisible());
+}
+
+/// Beside the board's settings pages scroll downwards alone, and the settings' rows are as high as their names.
+void TestPages::parameters_leaveEveryPageItsWidth_data() {
+  QTest::addColumn<bool>("german");
+  QTest::newRow("English") << false;
+  QTest::newRow("German") << true;
+}
+
+void TestPages::parameters_leaveEveryPageItsWidth() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  desk.window.resize(1280, 720);
+  QVERIFY(desk.connected());
+  ControllerSettings other = desk.session.edits.accepted();
+  other.velocity_ki_A_per_rad = 0.5;
+  desk.session.edits.edit(other);  // while the table isn't seen
+  desk.window.showParameters(true);
+  QTest::qWait(30);
+  const auto* table = named<QTableWidget>(desk.window, "parametersTable");
+  for (int row = 0; row < table->rowCount(); ++row)
+    QVERIFY2(table->rowHeight(row) < 48, qPrintable(QString("%1: %2").arg(row).arg(table->rowHeight(row))));
+  const auto* room = named<QScrollArea>(desk.window, "pageRoom");
+  for (const char* page : {"connectPage", "identifyPage", "tunePage", "homePage", "frictionPage", "comparePage",
+                           "reportPage", "handPage", "runsPage"}) {
+    desk.window.showPage(page);
+    QTest::qWait(30);
+    QVERIFY2(room->horizontalScrollBar()->maximum() == 0,
+             qPrintable(QString("%1: %2").arg(page).arg(room->horizontalScrollBar()->maximum())));
+    if (QString(page) == "homePage")
+      QVERIFY(named<QWidget>(*named<QWidget>(desk.window, page), "rotorDial")->height() > 260);
+    // Without them it is as it was, and the window no larger.
+    desk.window.showParameters(false);
+    QTest::qWait(30);
+    QCOMPARE(desk.window.size(), QSize(1280, 720));
+    desk.window.showParameters(true);
+  }
 }
 
 void TestPages::facts_takeAnotherLineWhereTheyHaveNoRoom() {

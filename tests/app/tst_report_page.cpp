@@ -1,9 +1,11 @@
 // The report: seen before it is written, with a customer's name, remarks and the chapters that are wanted, as HTML and
 // as PDF.
+#include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTextBrowser>
 
 #include "app/desk.h"
@@ -73,6 +75,29 @@ void TestReportPage::report_isSeenAsItIsWritten() {
   QTRY_VERIFY(QFile::exists(pdf));
   const auto paper = readFile(pdf.toStdString());
   QVERIFY(paper->starts_with("%PDF-") && paper->size() > 5000);
+  // A report is for people: in their language, whatever the window's is.
+  remarks->clear();
+  auto* language = named<QComboBox>(desk.window, "reportLanguage");
+  language->setCurrentIndex(language->findData("de"));
+  QTRY_VERIFY(preview->toPlainText().startsWith("Reibung von"));
+  // What was left out is left out in the other language.
+  const auto same = chapters->findItems("Wie gemessen wurde", Qt::MatchExactly);
+  QVERIFY(same.size() == 1 && same.front()->checkState() == Qt::Unchecked);
+  QTRY_VERIFY_WITH_TIMEOUT(!preview->toPlainText().contains("Wie gemessen wurde"), patience_ms);
+  same.front()->setCheckState(Qt::Checked);
+  QTRY_VERIFY(preview->toPlainText().contains("Wie gemessen wurde"));
+  const QString german = preview->toPlainText().section("Made ", 0, 0);
+  QVERIFY2(german.contains("Drehmomentkonstante") && german.contains("Wie gemessen wurde"), qPrintable(german));
+  QCOMPARE(chapters->item(0)->text(), QString("Reibung, Motor und Encoder"));
+  static const QRegularExpression english("\\b(the|of|and|is|to|from|with|by|each|way|clockwise|inductance)\\b");
+  const auto left_over = english.match(german);
+  QVERIFY2(!left_over.hasMatch(), qPrintable(german.mid(std::max(0, int(left_over.capturedStart()) - 40), 80)));
+  QFile::remove(html);
+  press(desk.window, "writeFrictionReportButton");
+  QTRY_VERIFY(QFile::exists(html));
+  const auto inGerman = readFile(html.toStdString());
+  QVERIFY(inGerman->find("<html lang=\"de\">") != std::string::npos);
+  QVERIFY(inGerman->find("<h2>Der Motor</h2>") != std::string::npos);
   for (const QSize size : {QSize(1280, 720), QSize(1366, 768)}) {
     desk.window.resize(size);
     QTest::qWait(20);

@@ -31,6 +31,7 @@ class TestSession : public QObject {
   void pulledCable_leavesNothingOfTheBoard();
   void lateReports_ofAnEarlierBoard_areNotTaken();
   void liveSamples_keepTheLastMinuteOfTheirBatches();
+  void aCopyOfTheHistory_keepsWhatTheHistoryDrops();
   void emptyStretch_isAnError();
   void recording_holdsEverySampleFromItsStart();
   void lostSamples_areGapsOfTheRecording();
@@ -173,7 +174,7 @@ void TestSession::liveSamples_keepTheLastMinuteOfTheirBatches() {
   live.take(batchOf(1.0, 1000));
   QCOMPARE(live.history().end(), uint64_t{2000});
   QCOMPARE(live.history().first(), uint64_t{0});
-  const auto stretch = live.stretch(0.4995, 1.2005);
+  const auto stretch = live.stretch(live.history(), 0.4995, 1.2005);
   QVERIFY2(stretch.ok(), stretch.ok() ? "" : stretch.error().message().c_str());
   QCOMPARE(stretch->rows(), size_t{701});
   live.take(batchOf(60.5, 1));
@@ -181,10 +182,28 @@ void TestSession::liveSamples_keepTheLastMinuteOfTheirBatches() {
   QCOMPARE(live.history().newest()->time_s, 60.5);
 }
 
+void TestSession::aCopyOfTheHistory_keepsWhatTheHistoryDrops() {
+  LiveHistory history;
+  history.append(batchOf(0.0, 5000).samples);
+  const LiveHistory held = history;
+  history.append(batchOf(5.0, 70'000).samples);
+  QVERIFY(history.first() > held.end());
+  QCOMPARE(history.at(history.first()).time_s, 14.999);
+  QCOMPARE(held.first(), uint64_t{0});
+  QCOMPARE(held.end(), uint64_t{5000});
+  QCOMPARE(held.newest()->time_s, 4.999);
+  QCOMPARE(held.nearest(2.0004)->time_s, 2.0);
+  QCOMPARE(held.nearest(99.0)->time_s, 4.999);
+  QCOMPARE(held.between(4.0, 99.0).size(), size_t{1000});
+  history.clear();
+  QVERIFY(!history.newest() && held.newest());
+  QCOMPARE(history.first(), uint64_t{75'000});
+}
+
 void TestSession::emptyStretch_isAnError() {
   Parts parts;
   LiveSamples live(parts.connection, parts.project, parts.messages);
-  QVERIFY(!live.stretch(0.0, 1.0).ok());
+  QVERIFY(!live.stretch(live.history(), 0.0, 1.0).ok());
   live.startRecording();
   QVERIFY(!live.recording());  // there is no board to record
 }
@@ -239,7 +258,7 @@ void TestSession::lostBoard_leavesItsRecordingAndSamples() {
   QTRY_VERIFY(!live.recording());
   QVERIFY(live.history().newest() && live.lost_s().has_value());
   QCOMPARE(*live.lost_s(), live.history().newest()->time_s);
-  QVERIFY2(live.stretch(0.0, 1e9).ok(), "the samples can still be exported");
+  QVERIFY2(live.stretch(live.history(), 0.0, 1e9).ok(), "the samples can still be exported");
   const auto recording = readRecording(live.lastRecording().toStdString());
   VERIFY_OK(recording);
   QVERIFY(recording->rows() > 150);
@@ -257,7 +276,7 @@ void TestSession::lostBoard_leavesItsRecordingAndSamples() {
   QTRY_VERIFY(live.history().end() > before);
   QVERIFY2(live.history().at(before).time_s > lost_s, "the board's clock began anew, the history's goes on");
   QVERIFY(live.current() && live.lost_s() == lost_s);
-  VERIFY_OK(live.stretch(0.0, 1e9));
+  VERIFY_OK(live.stretch(live.history(), 0.0, 1e9));
 }
 
 void TestSession::fullDisk_endsARecordingInOrder() {

@@ -1,4 +1,6 @@
 // Whatever the window does or fails to do, the motor stops.
+#include <qcustomplot.h>
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -33,6 +35,7 @@ class TestStop : public QObject {
   void boardsOwnStop_isSaidInItsWords();
   void lostSamples_areCounted();
   void visibleStretch_isExportedWithEverySample();
+  void pausedPicture_staysWhileTheBoardGoesOn();
   void view_standsAtTheTriggersEdge();
   void trigger_takesNoNoiseForAnEdge();
   void spectrum_namesWhatTheRotorDoes();
@@ -228,6 +231,44 @@ void TestStop::visibleStretch_isExportedWithEverySample() {
   const double length_s = recording->time().back() - recording->time().front();
   QVERIFY(length_s > 0.3);
   QCOMPARE(static_cast<double>(recording->rows()), std::round(length_s * 1000.0) + 1.0);
+}
+
+void TestStop::pausedPicture_staysWhileTheBoardGoesOn() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  QTest::qWait(300);
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
+  plots->refresh();
+  plots->setPaused(true);
+  plots->showCursors(true);
+  const LiveHistory& history = desk.session.live.history();
+  const QString readings = named<QLabel>(desk.window, "cursorDifference")->toolTip();
+  auto* graph = named<QCustomPlot>(desk.window, "livePlot")->graph(0);
+  const auto points = [&] {
+    return graph->data()->findEnd(plots->to_s(), false) - graph->data()->findBegin(plots->from_s(), false);
+  };
+  const auto before = points();
+  QVERIFY(before > 20);
+  // Longer than the history is.
+  SampleBatch later;
+  for (int k = 1; k <= 7000; ++k) {
+    later.samples.push_back(*history.newest());
+    later.samples.back().time_s += 0.01 * k;
+  }
+  desk.session.live.take(later);
+  plots->refresh();
+  QVERIFY(history.at(history.first()).time_s > plots->to_s());
+  QVERIFY2(points() >= before && points() <= before + 2, "at most the last moment's extremes have come");
+  QVERIFY2(graph->dataCount() < 20'000, "what is neither seen nor in the history goes");
+  QCOMPARE(named<QLabel>(desk.window, "cursorDifference")->toolTip(), readings);
+  const QTemporaryDir folder;
+  desk.answers.byTitle["Export the visible stretch"] = folder.filePath("visible.csv");
+  press(desk.window, "exportVisibleButton");
+  QTRY_VERIFY(QFile::exists(folder.filePath("visible.csv")));
+  QVERIFY(readCsv(folder.filePath("visible.csv").toStdString())->rows() > 100);
+  plots->setPaused(false);
+  plots->refresh();
+  QVERIFY(plots->to_s() >= history.newest()->time_s - 0.5);
 }
 
 void TestStop::view_standsAtTheTriggersEdge() {

@@ -25,6 +25,7 @@ class TestSvgPlot : public QObject {
   void polarAngle_growsCounterClockwise_data();
   void polarAngle_growsCounterClockwise();
   void text_isEscaped();
+  void words_areThoseOfTheLanguage();
 };
 
 static Curve wave(size_t points) {
@@ -189,6 +190,21 @@ void TestSvgPlot::polarAngle_growsCounterClockwise() {
 
 void TestSvgPlot::text_isEscaped() {
   QCOMPARE(escaped("a<b> & \"c\" 'd'\x01"), std::string("a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39; "));
+}
+
+void TestSvgPlot::words_areThoseOfTheLanguage() {
+  const auto german = Catalogue::read(R"({"time / s": "Zeit / s", "run {}": "Lauf {}", "most here": "hier"})");
+  QVERIFY(german.ok());
+  Figure figure{message("run {}", 3), message("time / s"), "mNm"};
+  figure.curves.push_back(wave(10));
+  figure.curves.front().label = message("run {}", 7);
+  figure.highlights.push_back({0.0, 0.01, message("most here")});
+  const std::string here = toSvg(figure), there = toSvg(inLanguage(figure, *german));
+  for (const char* word : {"run 3", "run 7", "time / s", "most here", "mNm"})
+    QVERIFY2(here.find(word) != std::string::npos, word);
+  for (const char* word : {"Lauf 3", "Lauf 7", "Zeit / s", "hier", "mNm"})
+    QVERIFY2(there.find(word) != std::string::npos, word);
+  QVERIFY(there.find("run") == std::string::npos && there.find("time") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestSvgPlot)

@@ -162,7 +162,7 @@ void TestTune::wrongInput_getsOneLine_data() {
   QTest::newRow("mNm/A") << "--bench b.json --out t"
                          << QByteArray(good).replace("0.07,", "70, \"back_emf_constant_V_s_per_rad\": 0.07,")
                          << "field motor.torque_constant_Nm_per_A: is 70, but back_emf_constant_V_s_per_rad is 0.07: "
-                            "1000 times as much, as in mNm/A";
+                            "the first is 1000 times as much, as in mNm/A";
   QTest::newRow("no bench") << "--bench c.json --out t" << good << "c.json: cannot be read";
 }
 

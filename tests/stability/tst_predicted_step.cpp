@@ -17,6 +17,7 @@ class TestPredictedStep : public QObject {
   void step_isThatOfTheIntegratedLoop();
   void proportionalGain_leavesTheErrorThatFrictionHolds();
   void frictionBeyondTheCurrentLimit_holdsTheShaft();
+  void staticFriction_delaysAStartAndNothingElse();
   void lowSupply_boundsTheSpeed();
 };
 
@@ -84,6 +85,30 @@ void TestPredictedStep::frictionBeyondTheCurrentLimit_holdsTheShaft() {
   QVERIFY(moved.velocity_rad_per_s.back() > 1.0);
   const double last_A = moved.current_A.back();  // the speed is far from reached
   QVERIFY2(last_A > 0.49 && last_A < 0.51, qPrintable(QString::number(last_A)));
+}
+
+void TestPredictedStep::staticFriction_delaysAStartAndNothingElse() {
+  // The integral part winds up until the shaft breaks loose: at twice the friction later, then as fast as without.
+  const ServoLoop loop = unlimitedLoop(1);
+  StepWanted wanted = stepTo(2.0);
+  wanted.coulomb_Nm = 0.01;
+  const auto startOf = [](const PredictedStep& step) {
+    size_t k = 0;
+    while (k + 1 < step.time_s.size() && step.velocity_rad_per_s[k] <= 0.0) ++k;
+    return step.time_s[k];
+  };
+  const PredictedStep plain = predictStep(loop, wanted);
+  wanted.static_Nm = 0.005;  // less than what moves has is as much
+  QCOMPARE(predictStep(loop, wanted).velocity_rad_per_s, plain.velocity_rad_per_s);
+  wanted.static_Nm = 0.02;
+  const PredictedStep stuck = predictStep(loop, wanted);
+  QVERIFY2(startOf(stuck) > startOf(plain) + 1e-3, qPrintable(QString::number(startOf(stuck))));
+  const auto breaks =
+      static_cast<size_t>(std::find(stuck.time_s.begin(), stuck.time_s.end(), startOf(stuck)) - stuck.time_s.begin());
+  const double drive_Nm = loop.motor.torqueConstant_Nm_per_A * stuck.current_A[breaks];
+  QVERIFY2(drive_Nm > 0.019 && drive_Nm < 0.03, qPrintable(QString::number(drive_Nm)));
+  const double end = stuck.velocity_rad_per_s.back(), expected = plain.velocity_rad_per_s.back();
+  QVERIFY2(std::abs(end - expected) < 0.1 * 2.0, qPrintable(QString("%1, %2").arg(end).arg(expected)));
 }
 
 void TestPredictedStep::lowSupply_boundsTheSpeed() {

@@ -309,8 +309,8 @@ Message contradictionsIn(const std::vector<Evidence>& all) {
     if (!one.belief || one.strain(0.0) <= 1.0) continue;
     const Belief& belief = *one.belief;
     text = text + (text.empty() ? "" : "; ") +
-           message("{} {} is {:.4g}, {} {:.4g}, {:.3g} of it", belief.source, belief.name, belief.believed, belief.from,
-                   belief.measured.value, one.ratio);
+           message("{} {} is {:.4g}, {} {:.4g}: the first is {:.3g} times as much", belief.source, belief.name,
+                   belief.believed, belief.from, belief.measured.value, ratioOf(belief));
   }
   return text;
 }
