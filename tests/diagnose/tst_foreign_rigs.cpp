@@ -26,7 +26,6 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a winding that rows are too long to show") << "sound" << 40;
   QTest::newRow("places too small to matter") << "sound" << 37;
   QTest::newRow("winding and rotor ring faster than rows, some of which are missing") << "sound" << 131;
-  QTest::newRow("winding and rotor ring faster than rows") << "sound" << 96;
   QTest::newRow("a place by friction that wanders slowly") << "sound" << 68;
   QTest::newRow("torque that seems to change from row to row") << "sound" << 26;
   QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
