@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -110,7 +111,7 @@ class BridgeLine {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 2 + tests_;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-    double squares = 0.0, rounding = 0.0;
+    double squares = 0.0;
     Eigen::Matrix2d roundings = Eigen::Matrix2d::Zero();  // of the speed's and the supply's column
     for (const BridgeRow& row : rows_) {
       const Eigen::Vector2d perSpeed(1.0, row.sagPerSpeed_A_s);
@@ -123,11 +124,9 @@ class BridgeLine {
     normal = normal.selfadjointView<Eigen::Lower>();
     normal(n - 1, n - 1) += prior_;
     const Eigen::MatrixXd seen = normal;
-    rounding = roundings(0, 0);
-    for (const Eigen::Index k : {Eigen::Index{0}, Eigen::Index{1}}) {
-      for (const Eigen::Index j : {Eigen::Index{0}, Eigen::Index{1}})
-        normal(k == 0 ? slopes : n - 1, j == 0 ? slopes : n - 1) -= roundings(k, j);
-    }
+    const double rounding = roundings(0, 0);
+    const std::array both{slopes, n - 1};
+    normal(both, both) -= roundings;
     const auto solver = normal.completeOrthogonalDecomposition();
     Fit fit;
     fit.x = solver.solve(right);
