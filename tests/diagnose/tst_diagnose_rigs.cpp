@@ -4,6 +4,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/diagnosed.h"
+#include "diagnose/fit/cross_validation.h"
 #include "diagnose/fit/noise_floor.h"
 #include "diagnose/search/window_slope.h"
 #include "support/driven_recording.h"
@@ -28,6 +29,7 @@ class TestDiagnoseRigs : public QObject {
   void stopsAtBothEnds_areOneFinding_data();
   void stopsAtBothEnds_areOneFinding();
   void slopesOfWindows_showWhatIsThereAndNothingElse();
+  void crossValidation_startsWhereTheFitEnded();
   void slopesOfWindows_showInWhichRecordingAPushWas();
   void nearTheTop_aWindowMayErrMore();
 };
@@ -215,6 +217,24 @@ void TestDiagnoseRigs::slopesOfWindows_showWhatIsThereAndNothingElse() {
     QVERIFY2(there ? shown.part > 0.5 && shown.part <= 1.0 : shown.part < 0.2, qPrintable(what));
     if (there) QVERIFY2(within(shown.pick.parameters.front(), drag, 0.3), qPrintable(what));
   }
+}
+
+/// An effect that starts at a tenth of its size: what is left out is simulated with what the fit ended at, not with the
+/// size times ten.
+void TestDiagnoseRigs::crossValidation_startsWhereTheFitEnded() {
+  const double drag = 2e-6;
+  const Model model = servoWith(DriveInput::voltage, "quadratic_drag", {drag});
+  const Recording recording = read(drivenRecording(model, {.seconds = 12.0, .hold_s = 0.05, .size = 5.0}));
+  const auto prepared = prepare(benchOf(model), {recording}, {}, 0.5);
+  VERIFY_OK(prepared);
+  const SearchInput input(*prepared, 1);
+  const Model start = servoWith(DriveInput::voltage, "quadratic_drag", {0.1 * drag});
+  const FitResult fit = fitWindows(vectorOf(input, start), input.tracks, input.split.train, {});
+  QVERIFY(within(fit.model.effects[0].parameters[0].value, drag, 0.05));
+  const double unseen = mean(
+      crossValidated(fit, input.tracks, input.split.train, input.windowWeights, input.split.fold, folds, {1.0, 0.0}));
+  QVERIFY2(unseen < 3.0 * mean(fit.windowSquares),
+           qPrintable(QString("%1 for %2").arg(unseen).arg(mean(fit.windowSquares))));
 }
 
 void TestDiagnoseRigs::slopesOfWindows_showInWhichRecordingAPushWas() {

@@ -62,10 +62,10 @@ double perSample(const WindowResidual& window) {
 
 }  // namespace
 
-std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
-                                   const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                                   const std::vector<double>& windowWeights, const std::vector<int>& fold,
-                                   int foldCount, Weights unit) {
+std::vector<double> crossValidated(const FitResult& fit, const std::vector<Track>& tracks,
+                                   const std::vector<Window>& windows, const std::vector<double>& windowWeights,
+                                   const std::vector<int>& fold, int foldCount, Weights unit) {
+  const ParameterVector& parameters = *fit.parameters;
   const Validation data{fit, parameters, tracks, windows, windowWeights, fold};
   const Eigen::Index size = fit.x.size();
   std::vector<double> squares(windows.size());

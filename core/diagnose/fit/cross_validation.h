@@ -12,10 +12,9 @@ namespace breakaway {
 /// added up, each simulated with the parameters that a fit to the other folds would have: one Gauss–Newton step from
 /// the common fit, halved while the other folds themselves err more. At most ten units: how far a window runs away
 /// says no more than that it does.
-std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
-                                   const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                                   const std::vector<double>& windowWeights, const std::vector<int>& fold,
-                                   int foldCount, Weights unit);
+std::vector<double> crossValidated(const FitResult& fit, const std::vector<Track>& tracks,
+                                   const std::vector<Window>& windows, const std::vector<double>& windowWeights,
+                                   const std::vector<int>& fold, int foldCount, Weights unit);
 
 struct Comparison {
   double relative = 0.0;  ///< mean improvement over the mean of the worse

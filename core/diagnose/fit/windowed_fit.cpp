@@ -247,6 +247,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   ceres::Solve(solver, &problem, &summary);
 
   x = clamped(parameters, x);
+  result.parameters = parameters;
   result.x = x;
   result.usable = summary.IsSolutionUsable() && !options.stop.stop_requested();
   result.termination = ceres::TerminationTypeToString(summary.termination_type);

@@ -202,8 +202,8 @@ static FitResult withFurther(const SearchInput& input, FitResult base, const std
   }
   if (further.windows.empty()) return base;
   const auto unseen = [&](const FitResult& fit) {
-    return crossValidated(fit, vectorOf(input, fit.model), input.tracks, input.split.train, input.windowWeights,
-                          input.split.fold, folds, base.weights);
+    return crossValidated(fit, input.tracks, input.split.train, input.windowWeights, input.split.fold, folds,
+                          base.weights);
   };
   const auto before = unseen(base), after = unseen(further);
   const double gain = 1.0 - mean(after) / mean(before);

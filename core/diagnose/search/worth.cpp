@@ -29,9 +29,9 @@ std::vector<double> Worth::validated(const FitResult& fit) const {
   for (const Validated& one : known_) {
     if (one.effects == fit.model.effects && one.base == fit.model.base) return one.errors;
   }
-  known_.push_front({fit.model.base, fit.model.effects,
-                     crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train,
-                                    input_.windowWeights, input_.split.fold, folds, unit_)});
+  known_.push_front(
+      {fit.model.base, fit.model.effects,
+       crossValidated(fit, input_.tracks, input_.split.train, input_.windowWeights, input_.split.fold, folds, unit_)});
   if (known_.size() > mostKept) known_.pop_back();
   return known_.front().errors;
 }
