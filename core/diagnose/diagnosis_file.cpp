@@ -82,7 +82,7 @@ Message headline(const Diagnosis& d) {
   std::vector<Message> all;
   for (const Finding& finding : d.findings) {
     std::vector<std::string> one{finding.effect};
-    if (d.verdict == Verdict::ambiguous)
+    if (d.verdict != Verdict::named)
       one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
     all.push_back(joined(one));
   }

@@ -29,6 +29,7 @@ class TestDiagnoseRigs : public QObject {
   void stopsAtBothEnds_areOneFinding_data();
   void stopsAtBothEnds_areOneFinding();
   void slopesOfWindows_showWhatIsThereAndNothingElse();
+  void axisThatStands_makesNoOutliersOfTheOthers();
   void crossValidation_startsWhereTheFitEnded();
   void slopesOfWindows_showInWhichRecordingAPushWas();
   void nearTheTop_aWindowMayErrMore();
@@ -217,6 +218,16 @@ void TestDiagnoseRigs::slopesOfWindows_showWhatIsThereAndNothingElse() {
     QVERIFY2(there ? shown.part > 0.5 && shown.part <= 1.0 : shown.part < 0.2, qPrintable(what));
     if (there) QVERIFY2(within(shown.pick.parameters.front(), drag, 0.3), qPrintable(what));
   }
+}
+
+/// Most windows of an axis that mostly stands err by nothing: the others are what is usual, and not all of them
+/// outliers.
+void TestDiagnoseRigs::axisThatStands_makesNoOutliersOfTheOthers() {
+  const std::vector<double> weights = robustWeights({0.0, 1e-12, 0.0, 1e-4, 0.0, 2e-4, 0.0, 1.0});
+  QCOMPARE(weights[3], 1.0);
+  QCOMPARE(weights[5], 1.0);
+  QVERIFY(weights[7] < 0.1 && weights[7] > 0.0);
+  QCOMPARE(robustWeights({0.0, 0.0}), (std::vector<double>{1.0, 1.0}));
 }
 
 /// An effect that starts at a tenth of its size: what is left out is simulated with what the fit ended at, not with the

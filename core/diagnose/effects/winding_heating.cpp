@@ -20,7 +20,9 @@ class WindingHeating final : public Effect, private HiddenState {
            "thermal capacity";
   }
   std::vector<ParameterSpec> parameters(Axis) const override {
-    return {{"coefficient_ohm_per_A2", -1e9, 1e9}, {"time_constant_s", 1e-2, 1e6}};
+    // Faster than any winding warms up (the smallest motors' data sheets state a second or more), it would be a voltage
+    // that bends with the current.
+    return {{"coefficient_ohm_per_A2", -1e9, 1e9}, {"time_constant_s", 0.5, 1e6}};
   }
   bool losesVoltage() const override { return true; }
   Term term(std::span<const double> p, const Situation& at) const override {

@@ -19,6 +19,7 @@ namespace breakaway {
 
 namespace {
 
+constexpr double idleSquare = 1e-6;     ///< of the mean: an error that only standing windows have
 constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
 constexpr double swingingNudge = 5e-3;  ///< the same where impacts make residuals rough
@@ -320,7 +321,12 @@ std::vector<double> residualSquares(const Model& model, const std::vector<Track>
 }
 
 std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
-  const double usual = std::sqrt(quantile(windowSquares, 0.5));
+  // An axis that stands errs by nothing and says nothing of what is usual, though it may stand most of the time.
+  std::vector<double> moving = windowSquares;
+  const double idle = idleSquare * mean(windowSquares);
+  std::erase_if(moving, [idle](double one) { return !(one > idle); });
+  if (moving.empty()) return std::vector<double>(windowSquares.size(), 1.0);
+  const double usual = std::sqrt(quantile(moving, 0.5));
   std::vector<double> weights;
   weights.reserve(windowSquares.size());
   for (const double squares : windowSquares)

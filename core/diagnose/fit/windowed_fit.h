@@ -53,7 +53,7 @@ std::vector<double> residualSquares(const Model& model, const std::vector<Track>
                                     const std::vector<Window>& windows);
 
 /// Weights that keep single windows from ruling a fit: 1, or less where a window's rms residual exceeds 2.5 times the
-/// median window's.
+/// median's of those windows in which something errs at all.
 std::vector<double> robustWeights(const std::vector<double>& windowSquares);
 
 /// Mean squared position residual per window when each window restarts as simulate() does it.

@@ -143,8 +143,7 @@ void Adoption::addWaves(SearchResult& result) const {
 
 void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
   const double left = mean(result.best.windowSquares);
-  const bool explained = !result.chosen.empty() && left <= limits_.half * mean(result.base.windowSquares);
-  if (explained || fits_.worth().floors(result.best) <= limits_.farOff) return;
+  if (fits_.worth().floors(result.best) <= limits_.farOff) return;
   std::vector<Tried> tried = eachAlone(result.base, screen);
   if (tried.size() > mostContinued) tried.resize(mostContinued);
   for (Tried& one : tried) {  // from so far a fit comes to its end late
@@ -156,7 +155,9 @@ void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
     one.fit = withFurtherWaves(std::move(one.fit), *one.effect);
   }
   std::erase_if(tried, [&](const Tried& one) {
-    return mean(one.fit.windowSquares) > limits_.half * left || !fits_.helps(result.base, one.fit);
+    const double own = mean(one.fit.windowSquares);
+    return own > limits_.half * mean(result.base.windowSquares) || own > limits_.clearlyLess * left ||
+           !fits_.helps(result.base, one.fit);
   });
   if (tried.empty()) return;
   sortByLeft(tried);

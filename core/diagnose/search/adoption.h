@@ -22,9 +22,9 @@ class Adoption {
   const Screening* adopt(SearchResult& result, const Screening& steady);
   /// The first that helps of those that explain most alone, if any does.
   void adoptAlone(SearchResult& result, const Screen& screen) const;
-  /// Where the base is far off and what was adopted explains less than half: of all effects the one by which a
-  /// simulation errs least, if that leaves less than half. Along a motion that the base doesn't foresee a regression is
-  /// misled.
+  /// Where what was adopted is far off: of all effects the one by which a simulation errs least, if that alone leaves
+  /// less than half of the base's error and clearly less than what was adopted. Along a motion that the base doesn't
+  /// foresee a regression is misled.
   void adoptBest(SearchResult& result, const Screen& screen) const;
   /// Further terms that are likely beside those that were chosen, where much is left.
   void addWaves(SearchResult& result) const;
