@@ -16,10 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "12.3 s, 61500 samples, 12 lost".
+/// "12.3 s, 61500 samples, 12 lost, 1616 bytes damaged".
 std::string lengthOf(const BlockSurvey& survey) {
   std::string words = fmt::format("{:.1f} s, {} samples", survey.last_s - survey.first_s, survey.rows);
   if (survey.lost() > 0) words += fmt::format(", {} lost", survey.lost());
+  if (survey.unreadable() > 0) words += fmt::format(", {} bytes damaged", survey.unreadable());
   return words;
 }
 

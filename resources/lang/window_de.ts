@@ -917,6 +917,10 @@
         <translation>%1 verloren</translation>
     </message>
     <message>
+        <source>%1 bytes damaged</source>
+        <translation>%1 Byte beschädigt</translation>
+    </message>
+    <message>
         <source>ended by: %1</source>
         <translation>beendet: %1</translation>
     </message>
