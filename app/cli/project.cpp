@@ -180,12 +180,12 @@ Result<Answer> compare(const Project& project, const ProjectLine& line) {
 }
 
 Result<Answer> rebuild(Project& project) {
-  std::vector<std::string> said = project.said();
+  std::vector<Message> said = project.said();
   if (auto done = project.index().rebuild(said); !done) return done.error();
   const auto runs = project.index().list({});
   if (!runs) return runs.error();
   std::string words;
-  for (const std::string& one : said) words += one + "\n";
+  for (const Message& one : said) words += one.english() + "\n";
   return Answer{words + fmt::format("{}: index made from {} runs\n", project.folder(), runs->size()),
                 asText(Json{{"project", project.folder()}, {"runs", runs->size()}, {"said", said}})};
 }

@@ -28,12 +28,12 @@ void BenchProject::open(const QString& folder) {
   pool_.start([this, folder, project = project_] {
     auto opened = Project::open(folder.toStdString(), Project::Missing::isMade);
     *project = opened ? std::make_unique<Project>(std::move(*opened)) : nullptr;
-    const std::vector<std::string> said = *project ? (**project).said() : std::vector<std::string>();
+    const std::vector<Message> said = *project ? (**project).said() : std::vector<Message>();
     const QString why = opened ? QString() : inLanguage(opened.error().said());
     QMetaObject::invokeMethod(
         this,
         [this, said, why] {
-          for (const std::string& line : said) messages_.say(QString::fromStdString(line));
+          for (const Message& line : said) messages_.say(inLanguage(line));
           if (!why.isEmpty()) messages_.warn(tr("Nothing can be kept: %1").arg(why));
           emit changed();
         },

@@ -91,13 +91,22 @@ Result<void> copySource(const std::string& source, const std::vector<std::string
   return {};
 }
 
+/// Lists have a run in a line, and nothing in it may tell a terminal something.
+std::string oneLine(std::string text) {
+  constexpr unsigned char space = 0x20, erase = 0x7f;
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) < space || static_cast<unsigned char>(c) == erase; }, ' ');
+  return text;
+}
+
 /// What add() was told goes before what the files say.
 void takeWords(const NewRun& told, ProjectRun& run) {
   if (!told.kind.empty()) run.kind = told.kind;
-  if (!told.motor.empty()) run.motor = told.motor;
+  run.motor = oneLine(told.motor.empty() ? run.motor : told.motor);
   if (!told.at.empty()) run.at = told.at;
-  run.name = told.name;
-  run.remark = told.remark;
+  run.name = oneLine(told.name);
+  run.remark = oneLine(told.remark);
 }
 
 }  // namespace
@@ -117,7 +126,7 @@ Result<Project> Project::open(const std::string& folder, Missing missing) {
   }
   if (auto marked = readMark(folder); !marked) return marked.error();
   if (auto runs = makeFolder(folder + "/runs"); !runs) return runs.error();
-  std::vector<std::string> said;
+  std::vector<Message> said;
   auto index = RunIndex::open(folder, said);
   if (!index) return index.error();
   Project project(folder, std::make_unique<RunIndex>(std::move(*index)));
@@ -131,8 +140,8 @@ Result<void> Project::repair() {
   const ProjectLock lock(folder_, ProjectLock::Way::alone);
   if (lock.held()) {
     if (const size_t left = clearStages(folder_); left > 0)
-      said_.push_back(fmt::format("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
-                                  left == 1 ? "a run" : std::to_string(left) + " runs"));
+      said_.push_back(message("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
+                              left == 1 ? message("a run") : message("{} runs", left)));
   }
   return lock.held() ? mendRecordings() : Result<void>();
 }
@@ -167,11 +176,14 @@ Result<ProjectRun> Project::add(const NewRun& told) {
 }
 
 Result<ProjectRun> Project::annotate(const std::string& key, const RunNote& note) {
-  auto run = index_->find(key);
+  const auto listed = index_->find(key);
+  if (!listed) return listed;
+  // What the index says may be older than what another process wrote.
+  auto run = runOnDisk(folder_, listed->folder);
   if (!run) return run;
-  run->name = note.name.value_or(run->name);
-  run->remark = note.remark.value_or(run->remark);
-  run->motor = note.motor.value_or(run->motor);
+  run->name = oneLine(note.name.value_or(run->name));
+  run->remark = oneLine(note.remark.value_or(run->remark));
+  run->motor = oneLine(note.motor.value_or(run->motor));
   if (auto written = writeRunFile(*run, folder_ + "/" + run->folder); !written) return written.error();
   if (auto followed = index_->follow(said_); !followed) return followed.error();
   return run;

@@ -58,7 +58,7 @@ struct SmallDesk {
 };
 
 /// What a project holds when it is opened afterwards, as a command would.
-std::vector<ProjectRun> runsIn(const QString& folder, std::vector<std::string>* said = nullptr) {
+std::vector<ProjectRun> runsIn(const QString& folder, std::vector<Message>* said = nullptr) {
   const auto project = Project::open(folder.toStdString());
   if (!project) qFatal("%s", project.error().message().c_str());
   if (said != nullptr) *said = project->said();
@@ -220,7 +220,7 @@ void TestKept::windowClosedWhileRecording_leavesTheRecording() {
     QVERIFY(desk.recordsFor(0.2));
     QVERIFY(desk.window.close());
   }
-  std::vector<std::string> said;
+  std::vector<Message> said;
   const auto runs = runsIn(project, &said);
   QVERIFY2(said.empty(), "it was ended in order, nothing had to be mended");
   QCOMPARE(runs.size(), size_t{1});

@@ -76,7 +76,7 @@ double killed(const std::function<void()>& work, std::chrono::milliseconds after
 
 bool saysOf(const Project& project, const std::string& run) {
   return std::any_of(project.said().begin(), project.said().end(),
-                     [&](const std::string& line) { return line.find(run) != std::string::npos; });
+                     [&](const Message& line) { return line.find(run) != std::string::npos; });
 }
 
 }  // namespace

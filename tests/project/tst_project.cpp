@@ -10,6 +10,8 @@
 #include <QTest>
 #include <csignal>
 
+#include "base/atomic_file.h"
+#include "base/uuid.h"
 #include "project/project.h"
 #include "support/small_disk.h"
 #include "support/temporary.h"
@@ -27,6 +29,8 @@ class TestProject : public QObject {
   void run_isPutInWithWhatItsFilesSay();
   void otherFolder_isNoProject();
   void mixedFiles_areRefused();
+  void oddDatesAndNames_stayInTheProject();
+  void noteOfAnotherProgram_isNotOverwritten();
   void runs_areListedByMotorKindAndDate();
   void ambiguousKey_isAnError();
   void history_goesByMotorOverDates();
@@ -126,6 +130,43 @@ void TestProject::mixedFiles_areRefused() {
                folder.path("out") + ": holds files of 2 runs, expected one run's");
   QCOMPARE(runsIn(project), size_t{0});
   QVERIFY(QDir(QString::fromStdString(folder.path("p/runs"))).isEmpty());
+}
+
+void TestProject::oddDatesAndNames_stayInTheProject() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  size_t put = 0;
+  for (const char* at : {"../../elsewhere", "2026/03/02 09:14", "yesterday", "2026-03-02T09:14:07.25Z"}) {
+    NewRun run;
+    run.write = [at](const std::string& stage) {
+      return writeFile(stage + "/diagnosis.json", diagnosisText(0.02, "11111111-0000-4000-8000-000000000000", at));
+    };
+    run.kind = "../odd";
+    run.name = "a\nname\x1b[31m of \"ü\" '; DROP TABLE runs; --";
+    const auto added = project.add(run);
+    VERIFY_OK(added);
+    QVERIFY2(isRunTime(added->at), added->at.c_str());
+    QCOMPARE(added->name, std::string("a name [31m of \"ü\" '; DROP TABLE runs; --"));
+    QCOMPARE(added->folder.find('/'), added->folder.rfind('/'));
+    QCOMPARE(runsIn(opened(folder)), ++put);
+  }
+  QCOMPARE(project.index().find("last")->at.substr(0, 4), utcNow().substr(0, 4));
+  VERIFY_OK(project.annotate("last", {"b\tc", {}, "0117'%"}));
+  QCOMPARE(project.index().list({.motor = "0117'%"})->at(0).name, std::string("b c"));
+  QCOMPARE(folder.names(), QStringList("p"));
+  QVERIFY(project.check()->lines.empty());
+}
+
+void TestProject::noteOfAnotherProgram_isNotOverwritten() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  auto run = project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"));
+  VERIFY_OK(run);
+  run->name = "by another";
+  VERIFY_OK(writeRunFile(*run, folder.path("p/" + run->folder)));  // which this index hasn't heard of
+  VERIFY_OK(project.annotate(run->id, {{}, "cold", {}}));
+  QCOMPARE(project.index().find(run->id)->name, std::string("by another"));
+  QCOMPARE(opened(folder).index().find(run->id)->remark, std::string("cold"));
 }
 
 void TestProject::runs_areListedByMotorKindAndDate() {
