@@ -269,13 +269,16 @@ Result<ProjectRun> RunIndex::find(const std::string& key) const {
   const bool last = key == "last";
   Query query(state_->database, last ? "SELECT folder, text FROM runs ORDER BY at DESC, folder DESC LIMIT 1"
                                      : "SELECT folder, text FROM runs WHERE folder = ?1 OR folder = 'runs/' || ?1 OR "
-                                       "name = ?1 OR substr(id, 1, length(?1)) = ?1 ORDER BY at DESC");
+                                       "name = ?1 OR substr(id, 1, length(?1)) = ?1 OR (?1 GLOB "
+                                       "'[0-9][0-9][0-9][0-9]-[0-9][0-9]-[0-9][0-9]*' AND substr(at, 1, length(?1)) = "
+                                       "?1) ORDER BY at DESC");
   if (!last) query.bind(1, key);
   std::vector<std::pair<std::string, std::string>> found;
   while (!key.empty() && query.step()) found.emplace_back(query.text(0), query.text(1));
   if (auto done = query.done(); !done) return done.error();
   if (found.empty())
-    return Error{state_->project, "has no run \"" + key + "\", expected an identifier, a name or last; see list"};
+    return Error{state_->project,
+                 "has no run \"" + key + "\", expected an identifier, a name, a date or last; see list"};
   if (found.size() > 1)
     return Error{state_->project,
                  fmt::format("has {} runs \"{}\", expected the identifier of one; see list", found.size(), key)};

@@ -203,6 +203,10 @@ void TestProject::ambiguousKey_isAnError() {
   QVERIFY(project.index().find("the same").error().fact.starts_with("has 2 runs"));
   QVERIFY(project.index().find("none").error().fact.starts_with("has no run"));
   QVERIFY(!project.index().find("").ok());
+  QVERIFY(project.index().find("2026-01-05").error().fact.starts_with("has 2 runs"));
+  VERIFY_OK(project.add(runOf(0.02, "0117", "2026-02-05T10:00:00Z")));
+  QCOMPARE(project.index().find("2026-02-05")->at, std::string("2026-02-05T10:00:00Z"));
+  QVERIFY(!project.index().find("2026-02").ok());
   VERIFY_OK(project.index().find("last"));
 }
 
