@@ -147,6 +147,11 @@ void Connection::takeStop(DriveLoop::StopCause cause) {
   } else if (cause == DriveLoop::StopCause::watchdog) {
     lastStop_ = QT_TR_NOOP("stopped by watchdog");
     messages_.warn(tr("The window did not answer for %1 ms, so the motor was stopped").arg(options_.watchdog_s * 1e3));
+  } else if (cause == DriveLoop::StopCause::starved) {
+    lastStop_ = QT_TR_NOOP("stopped by watchdog");
+    messages_.warn(tr("The machine was too busy: for %1 ms the window got hardly any processor time, so the motor was "
+                      "stopped; end what else runs, or wait for it")
+                       .arg(options_.watchdog_s * 1e3));
   }
   emit runChanged();
 }

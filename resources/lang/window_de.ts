@@ -2001,6 +2001,10 @@
         <source>The window did not answer for %1 ms, so the motor was stopped</source>
         <translation>Das Fenster hat %1 ms nicht geantwortet, darum wurde der Motor angehalten</translation>
     </message>
+    <message>
+        <source>The machine was too busy: for %1 ms the window got hardly any processor time, so the motor was stopped; end what else runs, or wait for it</source>
+        <translation>Der Rechner war überlastet: Das Fenster bekam %1 ms lang kaum Rechenzeit, darum wurde der Motor angehalten; beenden Sie, was sonst läuft, oder warten Sie darauf</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::EvidencePlot</name>

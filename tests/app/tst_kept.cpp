@@ -29,6 +29,7 @@ class TestKept : public QObject {
   void closing_asksOnlyWhileTheMotorTurns();
   void finishedMap_isInTheProject();
   void sizeOfTheWindow_isKept();
+  void settingsOfSweepsAndPlots_areKept();
   void folderThatCannotBeMade_isSaid();
 };
 
@@ -272,6 +273,25 @@ void TestKept::sizeOfTheWindow_isKept() {
   Desk next;
   QVERIFY(restoreLayout(next.window));
   QCOMPARE(next.window.size(), QSize(1300, 720));
+}
+
+void TestKept::settingsOfSweepsAndPlots_areKept() {
+  const auto live = [](Desk& desk) { return named<QAbstractButton>(desk.window, "liveButton"); };
+  Desk desk;
+  const bool open = live(desk)->isChecked();
+  named<QSpinBox>(desk.window, "bins")->setValue(90);
+  named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(12.5);
+  named<QDoubleSpinBox>(desk.window, "highestSpeed")->setValue(50.0);  // one motor's
+  named<QComboBox>(desk.window, "spanBox")->setCurrentIndex(3);
+  press(desk.window, "liveButton");
+  QVERIFY(desk.window.close());
+  Desk next;
+  restoreLayout(next.window);
+  QCOMPARE(named<QSpinBox>(next.window, "bins")->value(), 90);
+  QCOMPARE(named<QDoubleSpinBox>(next.window, "speedDuration")->value(), 12.5);
+  QCOMPARE(named<QDoubleSpinBox>(next.window, "highestSpeed")->value(), 0.0);
+  QCOMPARE(named<QComboBox>(next.window, "spanBox")->currentIndex(), 3);
+  QCOMPARE(live(next)->isChecked(), !open);
 }
 
 void TestKept::folderThatCannotBeMade_isSaid() {
