@@ -58,12 +58,14 @@ void BenchProject::put(const NewRun& run, std::function<void()> then) {
   writers_.start([this, run, then = std::move(then)] {
     const auto place = std::make_shared<QTemporaryDir>();
     NewRun whole = run;
-    whole.write = {};
-    whole.sources.push_back(place->path().toStdString());
-    const auto written = run.write ? run.write(place->path().toStdString()) : Result<void>();
-    queue([this, place, whole, written, then](Project* project) -> std::function<void()> {
+    // Where the system's temporary files have no room, the project's own disk may: then add() writes it.
+    if (run.write && place->isValid() && run.write(place->path().toStdString())) {
+      whole.write = {};
+      whole.sources.push_back(place->path().toStdString());
+    }
+    queue([this, place, whole, then](Project* project) -> std::function<void()> {
       if (project == nullptr) return {};
-      const auto put = written ? project->add(whole) : Result<ProjectRun>(written.error());
+      const auto put = project->add(whole);
       return [this, put, then] {
         if (!put) return messages_.warn(put.error());
         messages_.say(tr("Kept in the project: %1").arg(titleOf(*put)));

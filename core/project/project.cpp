@@ -42,6 +42,27 @@ Result<void> makeProject(const std::string& folder) {
   return writeFile(folder + "/project.json", withMade(fmt::format("{{\"schema\": \"{}\"}}\n", schema)));
 }
 
+/// Whether there are runs in the folder: then it is a project, whatever became of its mark.
+bool holdsRuns(const std::string& folder) {
+  std::error_code code;
+  fs::directory_iterator one(folder + "/runs", code);
+  for (; !code && one != fs::directory_iterator(); one.increment(code)) {
+    std::error_code ofRun;
+    if (fs::exists(one->path() / "run.json", ofRun)) return true;
+  }
+  return false;
+}
+
+/// Of a project whose runs are there. Nothing: it is sound, or another version's, which readMark() says.
+std::optional<Message> faultOfMark(const std::string& folder) {
+  const OwnInputs ours;
+  std::error_code code;
+  if (!holdsRuns(folder)) return std::nullopt;
+  if (!fs::exists(folder + "/project.json", code)) return message("was missing");
+  if (!JsonObject::fromFile(folder + "/project.json")) return message("was damaged");
+  return std::nullopt;
+}
+
 bool isTaken(const fs::path& name) {
   const std::string text = name.filename().string();
   return !text.starts_with(".");
@@ -118,7 +139,11 @@ Project::Project(std::string folder, std::unique_ptr<RunIndex> index)
 Result<Project> Project::open(const std::string& folder, Missing missing) {
   if (folder.empty()) return Error{"project", "has an empty name, expected a folder"};
   std::error_code code;
-  if (!fs::exists(folder + "/project.json", code)) {
+  std::vector<Message> said;
+  if (const auto fault = faultOfMark(folder)) {
+    if (auto made = makeProject(folder); !made) return made.error();
+    said.push_back(message("{} {}: made anew", folder + "/project.json", *fault));
+  } else if (!fs::exists(folder + "/project.json", code)) {
     if (missing == Missing::isAnError)
       return Error{folder, fs::exists(folder, code) ? "is no project: it has no project.json"
                                                     : "is missing, expected a project's folder"};
@@ -126,7 +151,6 @@ Result<Project> Project::open(const std::string& folder, Missing missing) {
   }
   if (auto marked = readMark(folder); !marked) return marked.error();
   if (auto runs = makeFolder(folder + "/runs"); !runs) return runs.error();
-  std::vector<Message> said;
   auto index = RunIndex::open(folder, said);
   if (!index) return index.error();
   Project project(folder, std::make_unique<RunIndex>(std::move(*index)));

@@ -8,6 +8,7 @@
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "app/small_drive.h"
+#include "base/atomic_file.h"
 #include "recording/block_file.h"
 #include "recording/csv.h"
 #include "support/temporary.h"
@@ -28,6 +29,7 @@ class TestKept : public QObject {
   void windowClosedWhileRecording_leavesTheRecording();
   void closing_asksOnlyWhileTheMotorTurns();
   void finishedMap_isInTheProject();
+  void resultWithoutATemporaryFolder_isKept();
   void sizeOfTheWindow_isKept();
   void settingsOfSweepsAndPlots_areKept();
   void folderThatCannotBeMade_isSaid();
@@ -264,6 +266,24 @@ void TestKept::finishedMap_isInTheProject() {
   QVERIFY(run.value("static_average_Nm") != nullptr && run.value("coulomb_average_Nm") != nullptr);
   QVERIFY(run.file("map") != nullptr && run.file("report") != nullptr && run.file("bench") != nullptr);
   QVERIFY2(run.device.find("servo") != std::string::npos, run.device.c_str());
+}
+
+void TestKept::resultWithoutATemporaryFolder_isKept() {
+  const QTemporaryDir place;
+  const QByteArray before = qgetenv("TMPDIR");
+  Desk desk;
+  desk.session.project.open(place.filePath("p"));
+  QTRY_VERIFY(QFile::exists(place.filePath("p/project.json")));
+  qputenv("TMPDIR", place.filePath("none").toUtf8());
+  NewRun run;
+  run.name = "kept";
+  run.write = [](const std::string& into) { return writeFile(into + "/note.txt", "kept\n"); };
+  bool kept = false;
+  desk.session.project.put(run, [&kept] { kept = true; });
+  const bool done = QTest::qWaitFor([&kept] { return kept; }, 10000);
+  before.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+  QVERIFY(done);
+  QCOMPARE(runsIn(place.filePath("p")).front().name, std::string("kept"));
 }
 
 void TestKept::sizeOfTheWindow_isKept() {

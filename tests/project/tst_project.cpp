@@ -37,6 +37,8 @@ class TestProject : public QObject {
   void deletedIndex_isMadeAnew();
   void olderIndex_isMadeAnew();
   void damagedIndex_isMadeAnew();
+  void damagedMark_isMadeAnew();
+  void damagedRun_canBePutInAnew();
   void check_findsWhatIsMissingChangedAndUnknown();
   void twoProcesses_putIntoOneProject();
   void killedWhilePuttingIn_leavesWholeRunsOnly();
@@ -262,6 +264,40 @@ void TestProject::damagedIndex_isMadeAnew() {
     QVERIFY2(project.said().size() == 1 && project.said()[0].find("was damaged") != std::string::npos,
              qPrintable(QString::number(at)));
   }
+}
+
+void TestProject::damagedMark_isMadeAnew() {
+  const TemporaryFolder folder;
+  { VERIFY_OK(opened(folder).add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"))); }
+  for (const char* content : {"", "{\"schema\": \"brea", "\x01\x02"}) {
+    folder.write("p/project.json", content);
+    const auto project = Project::open(folder.path("p"));
+    VERIFY_OK(project);
+    QCOMPARE(runsIn(*project), size_t{1});
+    QCOMPARE(project->said().size(), size_t{1});
+    QVERIFY(project->said()[0].find("project.json was damaged: made anew") != std::string::npos);
+    QVERIFY(opened(folder).said().empty());
+  }
+  QVERIFY(QFile::remove(QString::fromStdString(folder.path("p/project.json"))));
+  VERIFY_OK(Project::open(folder.path("p")));
+  folder.write("p/project.json", "{\"schema\": \"breakaway.project/2\"}");  // a later version's is left alone
+  QVERIFY(!Project::open(folder.path("p")).ok());
+}
+
+void TestProject::damagedRun_canBePutInAnew() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  const auto run = project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"));
+  VERIFY_OK(run);
+  folder.write("p/" + run->folder + "/run.json", "{\"id\": ");
+  Project again = opened(folder);
+  QCOMPARE(runsIn(again), size_t{0});
+  QVERIFY(again.said().at(0).find("the run is left out") != std::string::npos);
+  const auto faults = again.check();
+  QVERIFY(faults->lines.at(0).find("breakaway project add takes what else is in it") != std::string::npos);
+  const auto anew = again.add({.sources = {folder.path("p/" + run->folder)}});
+  VERIFY_OK(anew);
+  QCOMPARE(anew->verdict, std::string("named"));
 }
 
 void TestProject::check_findsWhatIsMissingChangedAndUnknown() {
