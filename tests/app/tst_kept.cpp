@@ -5,10 +5,12 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "app/cut_drive.h"
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "app/small_drive.h"
 #include "base/atomic_file.h"
+#include "firmware_link/transport/open_board.h"
 #include "recording/block_file.h"
 #include "recording/csv.h"
 #include "support/temporary.h"
@@ -23,6 +25,8 @@ class TestKept : public QObject {
  private slots:
   void initTestCase();
   void linkLostWhileRecording_leavesPlotsAndRecording();
+  void linkLostInASweep_leavesItsBreakaways_data();
+  void linkLostInASweep_leavesItsBreakaways();
   void message_hidesNothingAndIsWhole();
   void messageThatIsClicked_isShownWholeInTheLog();
   void doubleClick_doesNotPressWhatTheButtonHasBecome();
@@ -145,6 +149,51 @@ void TestKept::linkLostWhileRecording_leavesPlotsAndRecording() {
   desk.session.connection.open("simulated");
   QVERIFY(!mark->visible());
   QVERIFY(!desk.session.live.lost_s());
+}
+
+void TestKept::linkLostInASweep_leavesItsBreakaways_data() {
+  QTest::addColumn<QString>("uri");
+  QTest::addColumn<double>("pace");
+  QTest::newRow("rotor") << "simulated:servo" << hurried;
+  QTest::newRow("linear axis") << "simulated:linear" << 2.0 * hurried;
+}
+
+/// A journey of seconds: it needs a motor that is known and a sweep that is under way.
+void TestKept::linkLostInASweep_leavesItsBreakaways() {
+  QFETCH(QString, uri);
+  QFETCH(double, pace);
+  const QTemporaryDir place;
+  Desk desk(pace);
+  desk.session.project.open(place.filePath("p"));
+  auto board = openBoard({uri.toStdString()});
+  VERIFY_OK(board);
+  const auto cut = std::make_shared<std::atomic<bool>>(false);
+  desk.session.connection.adopt(std::make_unique<CutDrive>(std::move(*board), cut), uri);
+  desk.window.showLive(true);
+  QVERIFY(desk.homed());
+  const Commission& known = desk.session.bench.known();
+  desk.quickSpeeds();
+  desk.sweep(24, 1);
+  QVERIFY(QTest::qWaitFor([&] { return known.knows(Known::runs); }, patience_ms));
+  desk.session.connection.setPace(unhurried);
+  QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() >= 4; }, patience_ms));
+  *cut = true;
+  QTRY_VERIFY(!desk.session.connection.connected() && !desk.session.connection.run().running());
+  const std::vector<BreakawayEvent> before = known.breakaways;
+  QVERIFY(before.size() >= 4 && before.size() < 48 && !known.knows(Known::map));
+  const QString said = named<QLabel>(desk.window, "frictionRunActivity")->text();
+  QVERIFY2(said.contains("What was measured is kept"), qPrintable(said));
+  const auto* mark = named<QWidget>(desk.window, "livePlot")->findChild<QCPItemText*>("linkLost");
+  QVERIFY2(mark->visible(), "the moment of loss");
+  QTRY_COMPARE(QDir(place.filePath("p/unfinished")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+  // The board is back: it homes anew, and the sweep goes on with what there is.
+  desk.session.connection.setPace(pace);
+  desk.session.connection.open(uri);
+  QVERIFY(desk.homed());
+  desk.sweep(24, 1);
+  QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() > before.size(); }, patience_ms));
+  press(desk.window, "stopButton");
+  for (size_t k = 0; k < before.size(); ++k) QCOMPARE(known.breakaways[k].torque_Nm, before[k].torque_Nm);
 }
 
 void TestKept::message_hidesNothingAndIsWhole() {
