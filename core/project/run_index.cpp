@@ -81,6 +81,7 @@ struct RunIndex::State {
   Result<void> fill(const std::string& path, std::vector<Message>& said);
   Result<void> make(std::vector<Message>& said, const Message& why);
   Result<void> openThere(std::vector<Message>& said);
+  Result<void> follow(std::map<std::string, std::string> there, std::vector<Message>& said) const;
   Result<void> take(const std::map<std::string, std::string>& changed, const std::vector<std::string>& gone,
                     std::vector<Message>& said) const;
   Result<void> put(const std::string& folder, const std::string& stamp, std::vector<Message>& said) const;
@@ -155,9 +156,7 @@ Result<RunIndex> RunIndex::open(const std::string& folder, std::vector<Message>&
   if (auto there = state->openThere(said); !there) return there.error();
   RunIndex index(std::move(state));
   if (index.state_->fresh) return index;
-  if (index.follow(said)) return index;
-  // Tables that are not what they should be.
-  if (auto made = index.state_->make(said, message("was damaged")); !made) return made.error();
+  if (auto followed = index.follow(said); !followed) return followed.error();
   return index;
 }
 
@@ -223,18 +222,24 @@ Result<void> RunIndex::State::take(const std::map<std::string, std::string>& cha
 Result<void> RunIndex::follow(std::vector<Message>& said) {
   auto there = runsOnDisk(state_->project);
   if (!there) return there.error();
+  if (state_->follow(*there, said)) return {};
+  // Tables that are not what they should be, or were damaged while they were open.
+  return state_->make(said, message("was damaged"));
+}
+
+Result<void> RunIndex::State::follow(std::map<std::string, std::string> there, std::vector<Message>& said) const {
   std::vector<std::string> gone;
-  Query known(state_->database, "SELECT folder, stamp FROM runs");
+  Query known(database, "SELECT folder, stamp FROM runs");
   while (known.step()) {
-    const auto it = there->find(known.text(0));
-    if (it == there->end()) {
+    const auto it = there.find(known.text(0));
+    if (it == there.end()) {
       gone.push_back(known.text(0));
     } else if (it->second == known.text(1)) {
-      there->erase(it);
+      there.erase(it);
     }
   }
   if (auto done = known.done(); !done) return done;
-  return state_->take(*there, gone, said);
+  return take(there, gone, said);
 }
 
 Result<std::vector<ProjectRun>> RunIndex::list(const RunFilter& filter) const {

@@ -183,6 +183,9 @@ void TestKept::linkLostInASweep_leavesItsBreakaways() {
   QVERIFY(before.size() >= 4 && before.size() < 48 && !known.knows(Known::map));
   const QString said = named<QLabel>(desk.window, "frictionRunActivity")->text();
   QVERIFY2(said.contains("What was measured is kept"), qPrintable(said));
+  const auto& lines = desk.session.messages.lines();
+  QVERIFY(std::any_of(lines.begin(), lines.end(),
+                      [](const Messages::Line& line) { return line.text.contains("What ran had come to "); }));
   const auto* mark = named<QWidget>(desk.window, "livePlot")->findChild<QCPItemText*>("linkLost");
   QVERIFY2(mark->visible(), "the moment of loss");
   QTRY_COMPARE(QDir(place.filePath("p/unfinished")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);

@@ -37,6 +37,7 @@ class TestProject : public QObject {
   void deletedIndex_isMadeAnew();
   void olderIndex_isMadeAnew();
   void damagedIndex_isMadeAnew();
+  void indexDamagedWhileItIsOpen_isMadeAnew();
   void damagedMark_isMadeAnew();
   void damagedRun_canBePutInAnew();
   void check_findsWhatIsMissingChangedAndUnknown();
@@ -264,6 +265,22 @@ void TestProject::damagedIndex_isMadeAnew() {
     QVERIFY2(project.said().size() == 1 && project.said()[0].find("was damaged") != std::string::npos,
              qPrintable(QString::number(at)));
   }
+}
+
+void TestProject::indexDamagedWhileItIsOpen_isMadeAnew() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  VERIFY_OK(project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z")));
+  {
+    QFile file(QString::fromStdString(folder.path("p/index.sqlite")));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const qint64 size = file.size();
+    QVERIFY(file.write(QByteArray(static_cast<qsizetype>(size), 'x')) == size);
+  }
+  VERIFY_OK(project.add(runOf(0.03, "0117", "2026-01-06T10:00:00Z")));
+  QCOMPARE(runsIn(project), size_t{2});
+  QVERIFY(project.said().back().find("was damaged") != std::string::npos);
+  QCOMPARE(runsIn(opened(folder)), size_t{2});
 }
 
 void TestProject::damagedMark_isMadeAnew() {
