@@ -10,6 +10,9 @@ namespace breakaway {
 
 namespace {
 
+/// Of one block: what a full disk or a damaged place costs at most beside itself.
+constexpr size_t mostRows_bytes = size_t{1} << 16U;
+
 /// How much lies between two heads at most: where the first one is damaged, another says what the columns are.
 constexpr std::uint64_t headEvery_bytes = std::uint64_t{1} << 20U;
 
@@ -71,7 +74,7 @@ Result<BlockWriter> BlockWriter::create(const std::string& path, const BlockHead
 }
 
 Result<void> BlockWriter::append(std::span<const double> rows) {
-  const size_t most = mostBlockContent / sizeof(double) / 16 / state_->width * state_->width;
+  const size_t most = std::max<size_t>(1, mostRows_bytes / sizeof(double) / state_->width) * state_->width;
   while (!rows.empty()) {
     if (state_->bytes - state_->headAt > headEvery_bytes) {
       if (auto put = state_->putHead(); !put) return put;

@@ -41,7 +41,7 @@ class BlockWriter {
   BlockWriter& operator=(BlockWriter&&) noexcept;
   ~BlockWriter();
 
-  /// Rows one after the other, each as wide as the head. An error leaves the file as it was before.
+  /// Rows one after the other, each as wide as the head. After an error those that the disk had room for are there.
   Result<void> append(std::span<const double> rows);
   Result<void> appendGap(const BlockGap& gap);
   /// To the disk itself, which a loss of power needs; a killed process leaves what was appended.
