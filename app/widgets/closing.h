@@ -1,4 +1,4 @@
-// What closing the window asks and keeps: it asks only while the motor turns, and size, place and what was chosen are there again.
+// What closing the window asks, which is only while the motor turns, and what the next start finds as it was.
 #pragma once
 
 class QMainWindow;

@@ -46,8 +46,8 @@ class RunIndex {
 
   /// The newest first, without files, values and findings.
   Result<std::vector<ProjectRun>> list(const RunFilter& filter) const;
-  /// The run whose identifier begins with `key`, whose folder, name or date (2026-03-02, or as much of the time as tells
-  /// it) it is, or the newest for "last". Errors: none, or several.
+  /// The run whose identifier begins with `key`, whose folder, name or date (from the day on) it is, or the newest for
+  /// "last". Errors: none, or several.
   Result<ProjectRun> find(const std::string& key) const;
   /// Whether some run has a file of this content.
   Result<bool> holds(const std::string& sha256) const;
