@@ -104,10 +104,14 @@ Result<Answer> importBlocks(const Options& options) {
   if (!survey) return survey.error();
   std::string words = fmt::format("{}: {} rows, {} columns, {} samples lost in {} gaps\n", options.in, survey->rows,
                                   survey->head.columns.size(), survey->lost(), survey->gaps.size());
+  if (survey->unreadable() > 0)
+    words += fmt::format("{} bytes of the file are damaged, in {} places: what they held is missing.\n",
+                         survey->unreadable(), survey->holes.size());
   if (!survey->ended) words += "It ended by a kill or a loss of power: the last second may be missing.\n";
   const Json json{{"rows", survey->rows},
                   {"lost", survey->lost()},
                   {"gaps", survey->gaps.size()},
+                  {"damaged_bytes", survey->unreadable()},
                   {"out", options.explain ? Json() : Json(options.out)}};
   if (options.explain) return Answer{words, asText(json)};
   if (auto written = writeBlocksAsCsv(options.in, options.out); !written) return written.error();

@@ -37,7 +37,7 @@ std::string motorOf(const std::string& benchFile) {
 
 std::string saidBy(const Project& project) {
   std::string words;
-  for (const std::string& line : project.said()) words += line + "\n";
+  for (const Message& line : project.said()) words += line.english() + "\n";
   return words;
 }
 

@@ -90,6 +90,33 @@ std::string valueText(const RunValue& value) {
   return fmt::format("{} ({} to {})", numberText(value.value), numberText(value.low), numberText(value.high));
 }
 
+/// The maps and what the diagnoses found, the oldest first: as lines, and into `json`.
+Result<std::string> mapsAndFindings(const Project& project, const RunFilter& filter, Json& json) {
+  auto runs = project.index().list(filter);
+  if (!runs) return runs.error();
+  std::reverse(runs->begin(), runs->end());
+  std::string maps, findings;
+  json["maps"] = json["findings"] = Json::array();
+  for (const ProjectRun& listed : *runs) {
+    const auto run = project.index().find(listed.folder);
+    if (!run) return run.error();
+    const std::string line = fmt::format("  {:<20}  {}  ", run->at, run->id);
+    if (const RunFile* map = run->file("map"); map != nullptr) {
+      const std::string path = project.pathOf(*run, map->path);
+      maps += line + path + "\n";
+      json["maps"].push_back({{"at", run->at}, {"run", run->id}, {"path", path}});
+    }
+    if (run->file("diagnosis") == nullptr) continue;
+    findings += line + run->verdict + "\n";
+    for (const std::string& one : run->findings) findings += "    " + one + "\n";
+    json["findings"].push_back(
+        {{"at", run->at}, {"run", run->id}, {"verdict", run->verdict}, {"findings", run->findings}});
+  }
+  if (!maps.empty()) maps.insert(0, "maps\n");
+  if (!findings.empty()) findings.insert(0, "findings\n");
+  return maps + findings;
+}
+
 Result<Answer> history(const Project& project, const RunFilter& filter, std::string words) {
   const auto values = project.index().history(filter);
   if (!values) return values.error();
@@ -104,7 +131,9 @@ Result<Answer> history(const Project& project, const RunFilter& filter, std::str
                               {"value", one.value.value},
                               {"ci95", {one.value.low, one.value.high}}});
   }
-  return Answer{words, asText(json)};
+  const auto more = mapsAndFindings(project, filter, json);
+  if (!more) return more.error();
+  return Answer{words + *more, asText(json)};
 }
 
 Result<Answer> list(const Project& project, const ProjectLine& line) {
@@ -129,7 +158,7 @@ Result<Answer> list(const Project& project, const ProjectLine& line) {
 }
 
 Result<Answer> show(const Project& project, const ProjectLine& line) {
-  if (line.words.size() != 1) return Error{"show", "expected one run: an identifier, a name or last"};
+  if (line.words.size() != 1) return Error{"show", "expected one run: an identifier, a name, a date or last"};
   const auto run = project.index().find(line.words[0]);
   if (!run) return run.error();
   std::string words = saidBy(project) + wordsOf(*run);
@@ -155,7 +184,7 @@ Result<Answer> add(Project& project, const ProjectLine& line) {
 }
 
 Result<Answer> note(Project& project, const ProjectLine& line) {
-  if (line.words.size() != 1) return Error{"note", "expected one run: an identifier, a name or last"};
+  if (line.words.size() != 1) return Error{"note", "expected one run: an identifier, a name, a date or last"};
   const auto given = [](const std::string& text) { return text.empty() ? std::nullopt : std::optional(text); };
   const auto run =
       project.annotate(line.words[0], {given(line.added.name), given(line.added.remark), given(line.added.motor)});
@@ -164,7 +193,7 @@ Result<Answer> note(Project& project, const ProjectLine& line) {
 }
 
 Result<Answer> compare(const Project& project, const ProjectLine& line) {
-  if (line.words.size() != 2) return Error{"compare", "expected two runs, each an identifier, a name or last"};
+  if (line.words.size() != 2) return Error{"compare", "expected two runs, each an identifier, a name, a date or last"};
   const auto one = project.index().find(line.words[0]), other = project.index().find(line.words[1]);
   if (!one) return one.error();
   if (!other) return other.error();
@@ -180,12 +209,12 @@ Result<Answer> compare(const Project& project, const ProjectLine& line) {
 }
 
 Result<Answer> rebuild(Project& project) {
-  std::vector<std::string> said = project.said();
+  std::vector<Message> said = project.said();
   if (auto done = project.index().rebuild(said); !done) return done.error();
   const auto runs = project.index().list({});
   if (!runs) return runs.error();
   std::string words;
-  for (const std::string& one : said) words += one + "\n";
+  for (const Message& one : said) words += one.english() + "\n";
   return Answer{words + fmt::format("{}: index made from {} runs\n", project.folder(), runs->size()),
                 asText(Json{{"project", project.folder()}, {"runs", runs->size()}, {"said", said}})};
 }
@@ -238,7 +267,8 @@ void addFilters(CLI::App& command, ProjectLine& line) {
   command.add_option("--until", line.filter.until, "list: only runs until this date, included")->check(isDate);
   command.add_option("--text", line.filter.text, "list: only runs with this in name, remark, verdict or command");
   command.add_option("--most", line.filter.most, "list: only so many, the newest");
-  command.add_flag("--history", line.history, "list: each result over the dates, with its interval");
+  command.add_flag("--history", line.history,
+                   "list: each result over the dates, with its interval, and maps and findings");
 }
 
 }  // namespace
@@ -251,8 +281,8 @@ void addProject(CLI::App& app, Job& chosen) {
       ->check(CLI::IsMember({"list", "show", "add", "note", "compare", "rebuild", "check"}));
   command->add_option("DIR", line->folder, "the project's folder; add makes a new one")->required();
   command->add_option("RUN", line->words,
-                      "show, note, compare: runs by their identifier, its beginning, their name, or last; add: files "
-                      "and folders to put in as one run");
+                      "show, note, compare: runs by their identifier, its beginning, their name, their date, or last; "
+                      "add: files and folders to put in as one run");
   command->add_option("--name", line->added.name, "add, note: what the run is called");
   command->add_option("--remark", line->added.remark, "add, note: what there is to say of it");
   command->add_option("--out", line->out, "compare: folder for report.html, comparison.json and figures");

@@ -28,12 +28,12 @@ void BenchProject::open(const QString& folder) {
   pool_.start([this, folder, project = project_] {
     auto opened = Project::open(folder.toStdString(), Project::Missing::isMade);
     *project = opened ? std::make_unique<Project>(std::move(*opened)) : nullptr;
-    const std::vector<std::string> said = *project ? (**project).said() : std::vector<std::string>();
+    const std::vector<Message> said = *project ? (**project).said() : std::vector<Message>();
     const QString why = opened ? QString() : inLanguage(opened.error().said());
     QMetaObject::invokeMethod(
         this,
         [this, said, why] {
-          for (const std::string& line : said) messages_.say(QString::fromStdString(line));
+          for (const Message& line : said) messages_.say(inLanguage(line));
           if (!why.isEmpty()) messages_.warn(tr("Nothing can be kept: %1").arg(why));
           emit changed();
         },
@@ -58,12 +58,14 @@ void BenchProject::put(const NewRun& run, std::function<void()> then) {
   writers_.start([this, run, then = std::move(then)] {
     const auto place = std::make_shared<QTemporaryDir>();
     NewRun whole = run;
-    whole.write = {};
-    whole.sources.push_back(place->path().toStdString());
-    const auto written = run.write ? run.write(place->path().toStdString()) : Result<void>();
-    queue([this, place, whole, written, then](Project* project) -> std::function<void()> {
+    // Where the system's temporary files have no room, the project's own disk may: then add() writes it.
+    if (run.write && place->isValid() && run.write(place->path().toStdString())) {
+      whole.write = {};
+      whole.sources.push_back(place->path().toStdString());
+    }
+    queue([this, place, whole, then](Project* project) -> std::function<void()> {
       if (project == nullptr) return {};
-      const auto put = written ? project->add(whole) : Result<ProjectRun>(written.error());
+      const auto put = project->add(whole);
       return [this, put, then] {
         if (!put) return messages_.warn(put.error());
         messages_.say(tr("Kept in the project: %1").arg(titleOf(*put)));

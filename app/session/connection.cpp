@@ -45,6 +45,10 @@ void Connection::close() {
 void Connection::begin(std::unique_ptr<Drive> drive) {
   loss_ = {};
   hasRun_ = false;
+  if (run_.kind != RunKind::none) {
+    run_ = {};
+    emit runChanged();
+  }
   identity_ = drive->identity();
   settings_ = drive->settings();
   ranges_ = drive->settingRanges();
@@ -82,11 +86,22 @@ void Connection::listenToLoop() {
   listen(&DriveLoop::failed, [this](const Message& reason) { loseBoard(reason); });
 }
 
+/// What ran says how far it came and why it ended, until a board is there again.
 void Connection::loseBoard(const Message& why) {
+  const bool broken = hasRun_ && run_.kind != RunKind::none &&
+                      (run_.running() || run_.status.failure == message("the connection was closed").english());
+  RunSnapshot run = run_;
   loss_ = why;
   letGo();
   opener_.lost(why);
-  messages_.warn(inLanguage(why));
+  if (!broken) return messages_.warn(inLanguage(why));
+  run.status.state = Procedure::State::stopped;
+  run.status.failure = why;
+  run_ = run;
+  messages_.warn(tr("%1. What ran had come to %2 %, and what it measured is kept")
+                     .arg(inLanguage(why))
+                     .arg(100.0 * run.status.progress, 0, 'f', 0));
+  emit runChanged();
 }
 
 void Connection::letGo() {
@@ -147,6 +162,11 @@ void Connection::takeStop(DriveLoop::StopCause cause) {
   } else if (cause == DriveLoop::StopCause::watchdog) {
     lastStop_ = QT_TR_NOOP("stopped by watchdog");
     messages_.warn(tr("The window did not answer for %1 ms, so the motor was stopped").arg(options_.watchdog_s * 1e3));
+  } else if (cause == DriveLoop::StopCause::starved) {
+    lastStop_ = QT_TR_NOOP("stopped by watchdog");
+    messages_.warn(tr("The machine was too busy: for %1 ms the window got hardly any processor time, so the motor was "
+                      "stopped; end what else runs, or wait for it")
+                       .arg(options_.watchdog_s * 1e3));
   }
   emit runChanged();
 }

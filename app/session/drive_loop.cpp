@@ -19,6 +19,8 @@ Message wordsOf(DriveLoop::StopCause cause) {
       return message("STOP was pressed");
     case DriveLoop::StopCause::watchdog:
       return message("the window did not answer");
+    case DriveLoop::StopCause::starved:
+      return message("the machine was too busy for the window to answer");
     case DriveLoop::StopCause::closing:
       return message("the connection was closed");
     case DriveLoop::StopCause::none:
@@ -100,9 +102,25 @@ void DriveLoop::obeyStops() {
   if (wanted != obeyedStops_) {
     obeyedStops_ = wanted;
     halt(StopCause::pressed);
-  } else if (link_.enabled && seconds(Clock::duration(now() - beat_.load())) > options_.watchdog_s) {
-    halt(StopCause::watchdog);
+  } else if (link_.enabled) {
+    watchWindow();
   }
+}
+
+/// A window that wants to go on, and had a processor for less than half of the time, doesn't hang: the machine is too
+/// busy. The motor is stopped all the same, for nobody could press STOP.
+void DriveLoop::watchWindow() {
+  const Clock::rep beat = beat_.load();
+  const double silent_s = seconds(Clock::duration(now() - beat));
+  if (beat != seenBeat_) {
+    seenBeat_ = beat;
+    ranAtBeat_s_ = window_.ran_s();
+  }
+  if (silent_s <= options_.watchdog_s) return;
+  const auto ran_s = window_.ran_s();
+  const bool starved =
+      ranAtBeat_s_ && ran_s && window_.ready().value_or(false) && *ran_s - *ranAtBeat_s_ < 0.5 * silent_s;
+  halt(starved ? StopCause::starved : StopCause::watchdog);
 }
 
 void DriveLoop::runJobs() {

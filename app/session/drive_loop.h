@@ -9,10 +9,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "base/message.h"
+#include "base/thread_glance.h"
 #include "experiment/drive.h"
 #include "session/recorder.h"
 #include "session/run.h"
@@ -39,8 +41,10 @@ class DriveLoop : public QObject {
   Q_OBJECT
 
  public:
-  enum class StopCause { none, pressed, watchdog, closing };
+  /// `starved`: the watchdog's, too, but the window was given no processor time in which it could have answered.
+  enum class StopCause { none, pressed, watchdog, starved, closing };
 
+  /// In the window's thread.
   DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& options);
   /// Stops the motor, then ends the thread.
   ~DriveLoop() override;
@@ -76,6 +80,7 @@ class DriveLoop : public QObject {
   static Clock::rep now() { return Clock::now().time_since_epoch().count(); }
   void work(const std::stop_token& ending);
   void obeyStops();
+  void watchWindow();
   void runJobs();
   void halt(StopCause cause);
   void stopRun(const Saying& reason);
@@ -94,7 +99,11 @@ class DriveLoop : public QObject {
   std::mutex jobsLock_;
   std::vector<Job> jobs_;
 
+  const WatchedThread window_;
+
   // Touched by the I/O thread alone.
+  Clock::rep seenBeat_ = 0;
+  std::optional<double> ranAtBeat_s_;  ///< the window's thread, when that beat came
   unsigned obeyedStops_ = 0;
   Run run_;
   std::shared_ptr<Recorder> recorder_;

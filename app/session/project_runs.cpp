@@ -9,6 +9,7 @@
 #include "base/output_folder.h"
 #include "friction/map_export.h"
 #include "recording/block_file.h"
+#include "session/language.h"
 #include "session/run_title.h"
 
 namespace breakaway {
@@ -59,10 +60,10 @@ void ProjectRuns::list(bool follow) {
       [this, mine, follow, filter = filter_, wanted = wanted_](Project* project) -> std::function<void()> {
         // Whoever follows does it for those that come after, too.
         if (project == nullptr || (!follow && mine != *wanted)) return {};
-        std::vector<std::string> said;
+        std::vector<Message> said;
         const auto list = listOf(*project, filter, follow, said);
         return [this, mine, list, said] {
-          for (const std::string& line : said) messages_.warn(QString::fromStdString(line));
+          for (const Message& line : said) messages_.warn(inLanguage(line));
           if (!list) return messages_.warn(list.error());
           if (mine != *wanted_) return;
           list_ = *list;
@@ -72,7 +73,7 @@ void ProjectRuns::list(bool follow) {
 }
 
 Result<ProjectRuns::List> ProjectRuns::listOf(Project& project, const RunFilter& filter, bool follow,
-                                              std::vector<std::string>& said) {
+                                              std::vector<Message>& said) {
   RunIndex& index = project.index();
   if (follow) {
     if (auto done = index.follow(said); !done) return done.error();
@@ -151,10 +152,11 @@ void ProjectRuns::compare(const std::string& one, const std::string& other, cons
 
 void ProjectRuns::writeReport(const RunComparison& comparison, const QString& folder) {
   ask<std::string>(
-      [comparison, folder = folder.toStdString()](Project&) -> Result<std::string> {
+      [comparison, folder = folder.toStdString(), words = wordsOf(spokenLanguage())](Project&) -> Result<std::string> {
         auto out = OutputFolder::open({folder, "project", {"report.html", "figures", "comparison.json"}, {}});
         if (!out) return out.error();
-        const auto written = out->fill([&](const std::string& into) { return writeComparison(comparison, into); });
+        const auto written =
+            out->fill([&](const std::string& into) { return writeComparison(comparison, into, words); });
         if (!written) return written.error();
         return folder + "/report.html";
       },

@@ -68,7 +68,7 @@ class ProjectRuns : public QObject {
   };
 
   void list(bool follow);
-  static Result<List> listOf(Project& project, const RunFilter& filter, bool follow, std::vector<std::string>& said);
+  static Result<List> listOf(Project& project, const RunFilter& filter, bool follow, std::vector<Message>& said);
   template <class T>
   void ask(std::function<Result<T>(Project&)> question, const QObject* asker, std::function<void(const T&)> then);
 

@@ -7,12 +7,27 @@
 #include <QSettings>
 
 #include "session/connection.h"
+#include "widgets/fields.h"
 
 namespace breakaway {
 
 namespace {
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* parametersKey = "window/parameters";
+constexpr const char* fieldsGroup = "window/fields/";
+// By their names. None of them is a motor's or sets anything on a board.
+constexpr const char* keptFields[] = {"bins", "turns", "speedCount", "speedDuration", "spanBox", "liveButton"};
+
+void restoreFields(QWidget& window) {
+  const QSettings settings("breakaway", "breakaway");
+  Fields fields;
+  for (const char* name : keptFields) {
+    // A tick comes back as a text from some files.
+    const QVariant kept = settings.value(QString(fieldsGroup) + name);
+    if (kept.isValid()) fields[name] = kept == "true" || kept == "false" ? QVariant(kept.toBool()) : kept;
+  }
+  setFields(window, fields);
+}
 }  // namespace
 
 bool mayClose(QWidget& window, Connection& connection) {
@@ -38,6 +53,7 @@ bool mayClose(QWidget& window, Connection& connection) {
 }
 
 bool restoreLayout(QMainWindow& window) {
+  restoreFields(window);
   if (window.restoreGeometry(QSettings("breakaway", "breakaway").value(geometryKey).toByteArray())) return true;
   window.resize(window.size().boundedTo(window.screen()->availableSize()));
   return false;
@@ -51,8 +67,13 @@ void keepParametersOpen(bool open) {
   QSettings("breakaway", "breakaway").setValue(parametersKey, open);
 }
 
-void keepLayout(const QMainWindow& window) {
-  QSettings("breakaway", "breakaway").setValue(geometryKey, window.saveGeometry());
+void keepLayout(QMainWindow& window) {
+  QSettings settings("breakaway", "breakaway");
+  settings.setValue(geometryKey, window.saveGeometry());
+  const Fields fields = fieldsIn(window);
+  for (const char* name : keptFields) {
+    if (const QVariant held = fields.value(name); held.isValid()) settings.setValue(QString(fieldsGroup) + name, held);
+  }
 }
 
 }  // namespace breakaway

@@ -1,4 +1,4 @@
-// What closing the window asks and keeps: it asks only while the motor turns, and size and place are there again.
+// What closing the window asks, which is only while the motor turns, and what the next start finds as it was.
 #pragma once
 
 class QMainWindow;
@@ -12,10 +12,10 @@ class Connection;
 /// and the answer stops the motor and closes.
 bool mayClose(QWidget& window, Connection& connection);
 
-/// Size and place as they were when keepLayout() was called last; false: they were never kept, and the window is made
-/// no larger than its screen.
+/// Size and place, how sweeps are measured and what the live plots show, as they were when keepLayout() was called
+/// last; false: a size was never kept, and the window is made no larger than its screen.
 bool restoreLayout(QMainWindow& window);
-void keepLayout(const QMainWindow& window);
+void keepLayout(QMainWindow& window);
 
 /// Whether the board's settings stood beside the page when the window was closed.
 bool parametersKeptOpen();

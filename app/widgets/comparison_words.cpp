@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "session/language.h"
 #include "widgets/axis_units.h"
 #include "widgets/number_text.h"
 #include "widgets/parameter_words.h"
@@ -61,7 +62,7 @@ QString mapRows(const RunComparison& comparison, bool beyond) {
     const auto torque = [&](double value) {
       return QString("%1%2 %3").arg(value < 0.0 ? "" : "+", numberText(units.torqueScale * value), units.torque);
     };
-    rows += row({QString::fromStdString(one.quantity), torque(one.meanDifference),
+    rows += row({inLanguage(one.quantity), torque(one.meanDifference),
                  "± " + numberText(units.torqueScale * one.meanHalfWidth, 2) + " " + units.torque,
                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "%1 of %2, by chance %3"))
                      .arg(one.beyond)

@@ -51,15 +51,18 @@ QString headlineOf(const QString& name, const RunValue& value) {
 
 /// How long a recording is, as its run's file says it in English.
 QString recordingInWords(const QString& kept) {
-  static const QRegularExpression form(R"(^([\d.]+) s, (\d+) samples(?:, (\d+) lost)?(?:; ended by: (.*))?$)");
+  static const QRegularExpression form(
+      R"(^([\d.]+) s, (\d+) samples(?:, (\d+) lost)?(?:, (\d+) bytes damaged)?(?:; ended by: (.*))?$)");
   const QRegularExpressionMatch found = form.match(kept);
   if (!found.hasMatch()) return kept;
   QString words = runWords(QT_TRANSLATE_NOOP("RunWords", "%1 s, %2 samples")).arg(found.captured(1), found.captured(2));
   if (!found.captured(3).isEmpty())
     words += ", " + runWords(QT_TRANSLATE_NOOP("RunWords", "%1 lost")).arg(found.captured(3));
   if (!found.captured(4).isEmpty())
+    words += ", " + runWords(QT_TRANSLATE_NOOP("RunWords", "%1 bytes damaged")).arg(found.captured(4));
+  if (!found.captured(5).isEmpty())
     words += "; " + runWords(QT_TRANSLATE_NOOP("RunWords", "ended by: %1"))
-                        .arg(inLanguage(Message(found.captured(4).toStdString())));
+                        .arg(inLanguage(Message(found.captured(5).toStdString())));
   return words;
 }
 

@@ -27,6 +27,8 @@ class OpenFile {
   std::optional<std::uint64_t> size() const;
   /// True: all of them. False: the file ends before, or can't be read.
   bool read(char* into, size_t bytes) const;
+  /// The same from `from` on, wherever read() and write() stand.
+  bool readAt(std::uint64_t from, char* into, size_t bytes) const;
   /// All of it; where that fails, a part may have been written.
   int write(std::string_view bytes) const;
   /// Leaves the first `bytes` of it and goes on behind them.

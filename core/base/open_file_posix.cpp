@@ -50,6 +50,18 @@ bool OpenFile::read(char* into, size_t bytes) const {
   return true;
 }
 
+bool OpenFile::readAt(std::uint64_t from, char* into, size_t bytes) const {
+  while (bytes > 0) {
+    const ssize_t got = ::pread(file_, into, bytes, static_cast<off_t>(from));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    into += got;
+    from += static_cast<std::uint64_t>(got);
+    bytes -= static_cast<size_t>(got);
+  }
+  return true;
+}
+
 int OpenFile::write(std::string_view bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file_, bytes.data(), bytes.size());

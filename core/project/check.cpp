@@ -67,10 +67,11 @@ Result<ProjectFaults> Project::check() const {
   for (const auto& one : fs::directory_iterator(folder_ + "/runs", code)) {
     const std::string name = "runs/" + one.path().filename().string();
     if (known.contains(name)) continue;
-    faults.lines.push_back(Error{name, fs::exists(one.path() / "run.json", code)
-                                           ? "has a run.json that can't be read"
-                                           : "has no run.json: breakaway project add takes what is in it"}
-                               .message());
+    faults.lines.push_back(
+        Error{name, fs::exists(one.path() / "run.json", code)
+                        ? "has a run.json that can't be read: breakaway project add takes what else is in it"
+                        : "has no run.json: breakaway project add takes what is in it"}
+            .message());
   }
   return faults;
 }

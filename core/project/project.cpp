@@ -42,6 +42,27 @@ Result<void> makeProject(const std::string& folder) {
   return writeFile(folder + "/project.json", withMade(fmt::format("{{\"schema\": \"{}\"}}\n", schema)));
 }
 
+/// Whether there are runs in the folder: then it is a project, whatever became of its mark.
+bool holdsRuns(const std::string& folder) {
+  std::error_code code;
+  fs::directory_iterator one(folder + "/runs", code);
+  for (; !code && one != fs::directory_iterator(); one.increment(code)) {
+    std::error_code ofRun;
+    if (fs::exists(one->path() / "run.json", ofRun)) return true;
+  }
+  return false;
+}
+
+/// Of a project whose runs are there. Nothing: it is sound, or another version's, which readMark() says.
+std::optional<Message> faultOfMark(const std::string& folder) {
+  const OwnInputs ours;
+  std::error_code code;
+  if (!holdsRuns(folder)) return std::nullopt;
+  if (!fs::exists(folder + "/project.json", code)) return message("was missing");
+  if (!JsonObject::fromFile(folder + "/project.json")) return message("was damaged");
+  return std::nullopt;
+}
+
 bool isTaken(const fs::path& name) {
   const std::string text = name.filename().string();
   return !text.starts_with(".");
@@ -91,13 +112,22 @@ Result<void> copySource(const std::string& source, const std::vector<std::string
   return {};
 }
 
+/// Lists have a run in a line, and nothing in it may tell a terminal something.
+std::string oneLine(std::string text) {
+  constexpr unsigned char space = 0x20, erase = 0x7f;
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) < space || static_cast<unsigned char>(c) == erase; }, ' ');
+  return text;
+}
+
 /// What add() was told goes before what the files say.
 void takeWords(const NewRun& told, ProjectRun& run) {
   if (!told.kind.empty()) run.kind = told.kind;
-  if (!told.motor.empty()) run.motor = told.motor;
+  run.motor = oneLine(told.motor.empty() ? run.motor : told.motor);
   if (!told.at.empty()) run.at = told.at;
-  run.name = told.name;
-  run.remark = told.remark;
+  run.name = oneLine(told.name);
+  run.remark = oneLine(told.remark);
 }
 
 }  // namespace
@@ -109,7 +139,11 @@ Project::Project(std::string folder, std::unique_ptr<RunIndex> index)
 Result<Project> Project::open(const std::string& folder, Missing missing) {
   if (folder.empty()) return Error{"project", "has an empty name, expected a folder"};
   std::error_code code;
-  if (!fs::exists(folder + "/project.json", code)) {
+  std::vector<Message> said;
+  if (const auto fault = faultOfMark(folder)) {
+    if (auto made = makeProject(folder); !made) return made.error();
+    said.push_back(message("{} {}: made anew", folder + "/project.json", *fault));
+  } else if (!fs::exists(folder + "/project.json", code)) {
     if (missing == Missing::isAnError)
       return Error{folder, fs::exists(folder, code) ? "is no project: it has no project.json"
                                                     : "is missing, expected a project's folder"};
@@ -117,7 +151,6 @@ Result<Project> Project::open(const std::string& folder, Missing missing) {
   }
   if (auto marked = readMark(folder); !marked) return marked.error();
   if (auto runs = makeFolder(folder + "/runs"); !runs) return runs.error();
-  std::vector<std::string> said;
   auto index = RunIndex::open(folder, said);
   if (!index) return index.error();
   Project project(folder, std::make_unique<RunIndex>(std::move(*index)));
@@ -131,8 +164,8 @@ Result<void> Project::repair() {
   const ProjectLock lock(folder_, ProjectLock::Way::alone);
   if (lock.held()) {
     if (const size_t left = clearStages(folder_); left > 0)
-      said_.push_back(fmt::format("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
-                                  left == 1 ? "a run" : std::to_string(left) + " runs"));
+      said_.push_back(message("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
+                              left == 1 ? message("a run") : message("{} runs", left)));
   }
   return lock.held() ? mendRecordings() : Result<void>();
 }
@@ -167,11 +200,14 @@ Result<ProjectRun> Project::add(const NewRun& told) {
 }
 
 Result<ProjectRun> Project::annotate(const std::string& key, const RunNote& note) {
-  auto run = index_->find(key);
+  const auto listed = index_->find(key);
+  if (!listed) return listed;
+  // What the index says may be older than what another process wrote.
+  auto run = runOnDisk(folder_, listed->folder);
   if (!run) return run;
-  run->name = note.name.value_or(run->name);
-  run->remark = note.remark.value_or(run->remark);
-  run->motor = note.motor.value_or(run->motor);
+  run->name = oneLine(note.name.value_or(run->name));
+  run->remark = oneLine(note.remark.value_or(run->remark));
+  run->motor = oneLine(note.motor.value_or(run->motor));
   if (auto written = writeRunFile(*run, folder_ + "/" + run->folder); !written) return written.error();
   if (auto followed = index_->follow(said_); !followed) return followed.error();
   return run;

@@ -53,7 +53,7 @@ class Project {
   RunIndex& index() { return *index_; }
   const RunIndex& index() const { return *index_; }
   /// What was found at opening and set right, a line each.
-  const std::vector<std::string>& said() const { return said_; }
+  const std::vector<Message>& said() const { return said_; }
   /// Where a run's file lies.
   std::string pathOf(const ProjectRun& run, const std::string& file) const;
 
@@ -76,7 +76,7 @@ class Project {
 
   std::string folder_;
   std::unique_ptr<RunIndex> index_;
-  std::vector<std::string> said_;
+  std::vector<Message> said_;
 };
 
 }  // namespace breakaway

@@ -1,6 +1,4 @@
 // Runs whose recording grows on disk: how they begin, how they end, and what is made of those that a kill ended.
-#include <fmt/core.h>
-
 #include <filesystem>
 #include <system_error>
 
@@ -16,10 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "12.3 s, 61500 samples, 12 lost".
-std::string lengthOf(const BlockSurvey& survey) {
-  std::string words = fmt::format("{:.1f} s, {} samples", survey.last_s - survey.first_s, survey.rows);
-  if (survey.lost() > 0) words += fmt::format(", {} lost", survey.lost());
+/// "12.3 s, 61500 samples, 12 lost, 1616 bytes damaged".
+Message lengthOf(const BlockSurvey& survey) {
+  Message words = message("{:.1f} s, {} samples", survey.last_s - survey.first_s, survey.rows);
+  if (survey.lost() > 0) words = words + message(", {} lost", survey.lost());
+  if (survey.unreadable() > 0) words = words + message(", {} bytes damaged", survey.unreadable());
   return words;
 }
 
@@ -52,13 +51,13 @@ Result<ProjectRun> Project::beginRecording(ProjectRun run, const BlockHead& head
 Result<ProjectRun> Project::endRecording(const ProjectRun& begun, const std::string& why) {
   const std::string folder = folder_ + "/" + begun.folder;
   ProjectRun run = begun;
-  if (const auto noted = index_->find(begun.folder)) run = *noted;  // a name may have come since
+  if (const auto noted = runOnDisk(folder_, begun.folder)) run = *noted;  // a name may have come since
   const auto survey = surveyBlocks(folder + "/" + recordingFile);
   const auto contents = contentsOf(folder);
   if (!contents) return contents.error();
   run.files = contents->files;
   run.state = why.empty() ? RunState::whole : RunState::cut;
-  run.verdict = survey ? lengthOf(*survey) : "nothing was recorded";
+  run.verdict = survey ? lengthOf(*survey).english() : "nothing was recorded";
   if (!why.empty()) run.verdict += "; ended by: " + why;
   if (auto written = writeRunFile(run, folder); !written) return written.error();
   if (auto followed = index_->follow(said_); !followed) return followed.error();
@@ -72,16 +71,20 @@ Result<void> Project::mendRecordings() {
   for (const ProjectRun& run : *runs) {
     const std::string file = pathOf(run, recordingFile);
     if (run.state != RunState::recording || isBeingWritten(file)) continue;
-    const auto mended = mendBlocks(file, "a kill or a loss of power: the last second may be missing");
-    const std::string why = mended ? mended->why : "a kill or a loss of power, before anything was recorded";
+    const Message killed = message("a kill or a loss of power: the last second may be missing");
+    const auto mended = mendBlocks(file, killed);
+    const Message why = !mended ? message("a kill or a loss of power, before anything was recorded")
+                        : mended->why == killed.english() ? killed
+                                                          : Message(mended->why);
     const auto ended = endRecording(run, why);
     if (!ended) {  // the disk may be full, or another's: the project can be read all the same
-      said_.push_back(ended.error().message() + "; the recording of " + run.at +
-                      " was cut short and is not mended yet");
+      said_.push_back(
+          message("{}; the recording of {} was cut short and is not mended yet", ended.error().said(), run.at));
       continue;
     }
-    said_.push_back(
-        fmt::format("{}: the recording of {} was cut short and is mended: {}", folder_, run.at, ended->verdict));
+    Message left = mended ? lengthOf(*mended) : message("nothing was recorded");
+    if (!why.empty()) left = left + "; " + message("ended by: {}", why);
+    said_.push_back(message("{}: the recording of {} was cut short and is mended: {}", folder_, run.at, left));
   }
   return {};
 }

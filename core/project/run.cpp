@@ -65,16 +65,42 @@ std::string runText(const ProjectRun& run) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+bool isRunTime(std::string_view at) {
+  constexpr std::string_view form = "0000-00-00T00:00:00";
+  if (at.size() <= form.size() || at.back() != 'Z') return false;
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  for (size_t k = 0; k < form.size(); ++k) {
+    if (isDigit(form[k]) ? !isDigit(at[k]) : at[k] != form[k]) return false;
+  }
+  const std::string_view fraction = at.substr(form.size(), at.size() - form.size() - 1);
+  return fraction.empty() ||
+         (fraction.size() > 1 && fraction.front() == '.' && std::all_of(fraction.begin() + 1, fraction.end(), isDigit));
+}
+
 std::string folderFor(const ProjectRun& run) {
+  const auto inName = [](const std::string& text, std::string_view more) {
+    std::string name;
+    for (const char c : text)
+      name += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || more.find(c) != std::string_view::npos ? c : '_';
+    return name;
+  };
   std::string at = run.at;
   std::erase(at, ':');
-  std::string kind;
-  for (const char c : run.kind) kind += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '_';
-  return "runs/" + at + "-" + kind + "-" + run.id;
+  return "runs/" + inName(at, "TZ-.") + "-" + inName(run.kind, "") + "-" + run.id;
 }
 
 Result<void> writeRunFile(const ProjectRun& run, const std::string& folder) {
   return writeFile(folder + "/run.json", withMade(runText(run)));
+}
+
+Result<ProjectRun> runOnDisk(const std::string& project, const std::string& folder) {
+  const OwnInputs ours;  // no input of the run
+  const std::string path = project + "/" + folder + "/run.json";
+  const auto text = readFile(path);
+  if (!text) return text.error();
+  auto run = readRunText(*text, path);
+  if (run) run->folder = folder;
+  return run;
 }
 
 Result<ProjectRun> readRunText(const std::string& text, const std::string& place) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -56,6 +57,9 @@ struct ProjectRun {
 /// "whole", "recording" or "cut".
 const char* wordOf(RunState state);
 
+/// Whether this is a time as runs have it: UTC, ISO 8601 to the second or finer, "2026-03-02T09:14:07Z".
+bool isRunTime(std::string_view at);
+
 /// "runs/2026-03-02T091407Z-commission-8b504e58": sorts by time, and is a file's name anywhere.
 std::string folderFor(const ProjectRun& run);
 
@@ -64,6 +68,9 @@ std::string runText(const ProjectRun& run);
 
 /// Writes run.json into the run's folder.
 Result<void> writeRunFile(const ProjectRun& run, const std::string& folder);
+
+/// What run.json in `folder`, below `project`, says now. Errors: readRunText()'s, or there is none.
+Result<ProjectRun> runOnDisk(const std::string& project, const std::string& folder);
 
 /// What runText() gave. Errors, at `place`: a field is missing or wrong.
 Result<ProjectRun> readRunText(const std::string& text, const std::string& place);

@@ -83,7 +83,7 @@ void takeMade(const AnyJson& made, Provenance& provenance, ProjectRun& run) {
   if (!id.empty()) provenance.runs.insert(id);
   if (provenance.taken || made.empty()) return;
   provenance.taken = true;
-  run.at = textIn(made, "at");
+  if (const std::string at = textIn(made, "at"); isRunTime(at)) run.at = at;
   run.by = textIn(made, "by");
   run.command = textIn(made, "command");
   const AnyJson& device = objectIn(made, "device");

@@ -78,12 +78,13 @@ struct RunIndex::State {
   size_t indexed = 0;  ///< runs that it was made from
 
   std::string file() const { return project + "/index.sqlite"; }
-  Result<void> fill(const std::string& path, std::vector<std::string>& said);
-  Result<void> make(std::vector<std::string>& said, const std::string& why);
-  Result<void> openThere(std::vector<std::string>& said);
+  Result<void> fill(const std::string& path, std::vector<Message>& said);
+  Result<void> make(std::vector<Message>& said, const Message& why);
+  Result<void> openThere(std::vector<Message>& said);
+  Result<void> follow(std::map<std::string, std::string> there, std::vector<Message>& said) const;
   Result<void> take(const std::map<std::string, std::string>& changed, const std::vector<std::string>& gone,
-                    std::vector<std::string>& said) const;
-  Result<void> put(const std::string& folder, const std::string& stamp, std::vector<std::string>& said) const;
+                    std::vector<Message>& said) const;
+  Result<void> put(const std::string& folder, const std::string& stamp, std::vector<Message>& said) const;
 };
 
 RunIndex::RunIndex(std::unique_ptr<State> state) : state_(std::move(state)) {
@@ -93,7 +94,7 @@ RunIndex& RunIndex::operator=(RunIndex&&) noexcept = default;
 RunIndex::~RunIndex() = default;
 
 /// A new index with all runs on disk, in the file or in memory.
-Result<void> RunIndex::State::fill(const std::string& path, std::vector<std::string>& said) {
+Result<void> RunIndex::State::fill(const std::string& path, std::vector<Message>& said) {
   const auto there = runsOnDisk(project);
   if (!there) return there.error();
   auto opened = Database::open(path);
@@ -105,10 +106,10 @@ Result<void> RunIndex::State::fill(const std::string& path, std::vector<std::str
 }
 
 /// Beside the place of the old one, and then in it; in memory where nothing can be written.
-Result<void> RunIndex::State::make(std::vector<std::string>& said, const std::string& why) {
+Result<void> RunIndex::State::make(std::vector<Message>& said, const Message& why) {
   fresh = true;
   const std::string part = project + "/.index-" + freshUuid();
-  std::vector<std::string> told;
+  std::vector<Message> told;
   bool onDisk = mayBeWritten(project) && fill(part, told).ok();
   database = Database();
   std::error_code code;
@@ -130,49 +131,47 @@ Result<void> RunIndex::State::make(std::vector<std::string>& said, const std::st
     told.clear();
     if (auto filled = fill(":memory:", told); !filled) return filled;
   }
-  if (!why.empty() && indexed > 0) said.push_back(fmt::format("{} {}: made anew from {} runs", file(), why, indexed));
+  if (!why.empty() && indexed > 0) said.push_back(message("{} {}: made anew from {} runs", file(), why, indexed));
   said.insert(said.end(), told.begin(), told.end());
   return {};
 }
 
-Result<void> RunIndex::State::openThere(std::vector<std::string>& said) {
+Result<void> RunIndex::State::openThere(std::vector<Message>& said) {
   std::error_code code;
-  if (!fs::exists(file(), code)) return make(said, "was missing");
-  if (!mayBeWritten(file())) return make(said, "");
+  if (!fs::exists(file(), code)) return make(said, message("was missing"));
+  if (!mayBeWritten(file())) return make(said, {});
   auto opened = Database::open(file());
-  if (!opened) return make(said, "was damaged");
+  if (!opened) return make(said, message("was damaged"));
   database = std::move(*opened);
   const auto found = database.number("PRAGMA user_version");
   Query sound(database, "PRAGMA quick_check(1)");
-  if (!found || !sound.step() || sound.text(0) != "ok") return make(said, "was damaged");
-  if (*found != version) return make(said, fmt::format("was of another version ({}, expected {})", *found, version));
+  if (!found || !sound.step() || sound.text(0) != "ok") return make(said, message("was damaged"));
+  if (*found != version) return make(said, message("was of another version ({}, expected {})", *found, version));
   return database.run("PRAGMA synchronous = OFF");
 }
 
-Result<RunIndex> RunIndex::open(const std::string& folder, std::vector<std::string>& said) {
+Result<RunIndex> RunIndex::open(const std::string& folder, std::vector<Message>& said) {
   auto state = std::make_unique<State>();
   state->project = folder;
   if (auto there = state->openThere(said); !there) return there.error();
   RunIndex index(std::move(state));
   if (index.state_->fresh) return index;
-  if (index.follow(said)) return index;
-  // Tables that are not what they should be.
-  if (auto made = index.state_->make(said, "was damaged"); !made) return made.error();
+  if (auto followed = index.follow(said); !followed) return followed.error();
   return index;
 }
 
-Result<void> RunIndex::rebuild(std::vector<std::string>& said) {
-  return state_->make(said, "");
+Result<void> RunIndex::rebuild(std::vector<Message>& said) {
+  return state_->make(said, {});
 }
 
 Result<void> RunIndex::State::put(const std::string& folder, const std::string& stamp,
-                                  std::vector<std::string>& said) const {
+                                  std::vector<Message>& said) const {
   const OwnInputs ours;  // no input of the run
   const std::string path = project + "/" + folder + "/run.json";
   const auto text = readFile(path);
   const auto run = text ? readRunText(*text, path) : Result<ProjectRun>(text.error());
   if (!run) {
-    said.push_back(run.error().message() + "; the run is left out");
+    said.push_back(message("{}; the run is left out", run.error().said()));
     return {};
   }
   Query insert(database,
@@ -197,7 +196,7 @@ Result<void> RunIndex::State::put(const std::string& folder, const std::string& 
 }
 
 Result<void> RunIndex::State::take(const std::map<std::string, std::string>& changed,
-                                   const std::vector<std::string>& gone, std::vector<std::string>& said) const {
+                                   const std::vector<std::string>& gone, std::vector<Message>& said) const {
   if (changed.empty() && gone.empty()) return {};
   if (auto begun = database.run("BEGIN IMMEDIATE"); !begun) return begun;
   Result<void> done;
@@ -220,21 +219,27 @@ Result<void> RunIndex::State::take(const std::map<std::string, std::string>& cha
   return database.run("COMMIT");
 }
 
-Result<void> RunIndex::follow(std::vector<std::string>& said) {
+Result<void> RunIndex::follow(std::vector<Message>& said) {
   auto there = runsOnDisk(state_->project);
   if (!there) return there.error();
+  if (state_->follow(*there, said)) return {};
+  // Tables that are not what they should be, or were damaged while they were open.
+  return state_->make(said, message("was damaged"));
+}
+
+Result<void> RunIndex::State::follow(std::map<std::string, std::string> there, std::vector<Message>& said) const {
   std::vector<std::string> gone;
-  Query known(state_->database, "SELECT folder, stamp FROM runs");
+  Query known(database, "SELECT folder, stamp FROM runs");
   while (known.step()) {
-    const auto it = there->find(known.text(0));
-    if (it == there->end()) {
+    const auto it = there.find(known.text(0));
+    if (it == there.end()) {
       gone.push_back(known.text(0));
     } else if (it->second == known.text(1)) {
-      there->erase(it);
+      there.erase(it);
     }
   }
   if (auto done = known.done(); !done) return done;
-  return state_->take(*there, gone, said);
+  return take(there, gone, said);
 }
 
 Result<std::vector<ProjectRun>> RunIndex::list(const RunFilter& filter) const {
@@ -269,13 +274,16 @@ Result<ProjectRun> RunIndex::find(const std::string& key) const {
   const bool last = key == "last";
   Query query(state_->database, last ? "SELECT folder, text FROM runs ORDER BY at DESC, folder DESC LIMIT 1"
                                      : "SELECT folder, text FROM runs WHERE folder = ?1 OR folder = 'runs/' || ?1 OR "
-                                       "name = ?1 OR substr(id, 1, length(?1)) = ?1 ORDER BY at DESC");
+                                       "name = ?1 OR substr(id, 1, length(?1)) = ?1 OR (?1 GLOB "
+                                       "'[0-9][0-9][0-9][0-9]-[0-9][0-9]-[0-9][0-9]*' AND substr(at, 1, length(?1)) = "
+                                       "?1) ORDER BY at DESC");
   if (!last) query.bind(1, key);
   std::vector<std::pair<std::string, std::string>> found;
   while (!key.empty() && query.step()) found.emplace_back(query.text(0), query.text(1));
   if (auto done = query.done(); !done) return done.error();
   if (found.empty())
-    return Error{state_->project, "has no run \"" + key + "\", expected an identifier, a name or last; see list"};
+    return Error{state_->project,
+                 "has no run \"" + key + "\", expected an identifier, a name, a date or last; see list"};
   if (found.size() > 1)
     return Error{state_->project,
                  fmt::format("has {} runs \"{}\", expected the identifier of one; see list", found.size(), key)};

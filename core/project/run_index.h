@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "project/run.h"
 
@@ -32,21 +33,21 @@ class RunIndex {
   /// Opens index.sqlite in the project's folder and brings it in step with runs/*/run.json. One that is missing,
   /// damaged or of another version is made anew, and `said` gets a line. Where nothing may be written, the index lives
   /// in memory. Several processes may have it open. Errors: runs/ can't be read; SQLite's.
-  static Result<RunIndex> open(const std::string& folder, std::vector<std::string>& said);
+  static Result<RunIndex> open(const std::string& folder, std::vector<Message>& said);
 
   RunIndex(RunIndex&&) noexcept;
   RunIndex& operator=(RunIndex&&) noexcept;
   ~RunIndex();
 
   /// Follows what was put there since. A run.json that can't be read is left out, and `said` gets a line.
-  Result<void> follow(std::vector<std::string>& said);
+  Result<void> follow(std::vector<Message>& said);
   /// Throws the index away and makes it from the files.
-  Result<void> rebuild(std::vector<std::string>& said);
+  Result<void> rebuild(std::vector<Message>& said);
 
   /// The newest first, without files, values and findings.
   Result<std::vector<ProjectRun>> list(const RunFilter& filter) const;
-  /// The run whose identifier begins with `key`, whose folder or name it is, or the newest for "last". Errors: none, or
-  /// several.
+  /// The run whose identifier begins with `key`, whose folder, name or date (from the day on) it is, or the newest for
+  /// "last". Errors: none, or several.
   Result<ProjectRun> find(const std::string& key) const;
   /// Whether some run has a file of this content.
   Result<bool> holds(const std::string& sha256) const;

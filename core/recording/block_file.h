@@ -26,6 +26,12 @@ struct BlockGap {
   std::uint64_t lost = 0;
 };
 
+/// Bytes that can't be read, between blocks that can: a disk's fault, say.
+struct BlockHole {
+  double after_s = 0.0;  ///< the last row's time before them
+  std::uint64_t bytes = 0;
+};
+
 /// Appends to one file, which others may read meanwhile. Numbers are little-endian.
 class BlockWriter {
  public:
@@ -35,7 +41,7 @@ class BlockWriter {
   BlockWriter& operator=(BlockWriter&&) noexcept;
   ~BlockWriter();
 
-  /// Rows one after the other, each as wide as the head. An error leaves the file as it was before.
+  /// Rows one after the other, each as wide as the head. After an error those that the disk had room for are there.
   Result<void> append(std::span<const double> rows);
   Result<void> appendGap(const BlockGap& gap);
   /// To the disk itself, which a loss of power needs; a killed process leaves what was appended.
@@ -57,6 +63,7 @@ struct BlockSurvey {
   std::uint64_t rows = 0;
   double first_s = 0.0, last_s = 0.0;
   std::vector<BlockGap> gaps;
+  std::vector<BlockHole> holes;
   bool ended = false;          ///< with its last block
   std::string why;             ///< what the last block says
   std::uint64_t sound = 0;     ///< bytes up to the end of the last block that is whole
@@ -64,9 +71,12 @@ struct BlockSurvey {
   std::uint64_t repeated = 0;  ///< rows whose time doesn't grow: they are left out by the readers
 
   std::uint64_t lost() const;
+  /// Bytes of all holes.
+  std::uint64_t unreadable() const;
 };
 
-/// Goes through a file block by block, also while it grows: up to where it ended at the opening.
+/// Goes through a file block by block, also while it grows: up to where it ended at the opening. Damage is passed over,
+/// up to the next block that is whole.
 class BlockReader {
  public:
   /// Errors: it can't be read, or doesn't begin as such a file.
@@ -75,7 +85,7 @@ class BlockReader {
   BlockReader& operator=(BlockReader&&) noexcept;
   ~BlockReader();
 
-  /// The rows of the next block that has some, one after the other; false at the end, or where damage begins.
+  /// The rows of the next block that has some, one after the other; false at the end.
   bool next(std::vector<double>& rows);
   /// What was met so far.
   const BlockSurvey& survey() const;
@@ -89,14 +99,14 @@ class BlockReader {
 /// What is in the file, read to its end. Errors: BlockReader::open()'s.
 Result<BlockSurvey> surveyBlocks(const std::string& path);
 
-/// Whether a file begins as one of blocks.
+/// Whether a file is one of blocks, by its beginning; one of that name also by what follows.
 bool isBlockFile(const std::string& path);
 
 /// Whether somebody writes into it now.
 bool isBeingWritten(const std::string& path);
 
-/// Cuts away what a kill left half written and appends the last block, with `why`. Errors: it is being written, or
-/// isn't of blocks.
+/// Cuts away what a kill left half written at its end and appends the last block, with `why`. Errors: it is being
+/// written, or isn't of blocks.
 Result<BlockSurvey> mendBlocks(const std::string& path, const std::string& why);
 
 /// The recording in memory. Gaps, and how it ended, are in its notes.

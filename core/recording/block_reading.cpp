@@ -25,6 +25,9 @@ std::vector<std::pair<std::string, std::string>> notesOf(const BlockSurvey& surv
   for (size_t k = 0; k < std::min(survey.gaps.size(), mostGapsNoted); ++k)
     notes.emplace_back(
         "gap", fmt::format("{} samples lost after {} s", survey.gaps[k].lost, exactText(survey.gaps[k].after_s)));
+  for (size_t k = 0; k < std::min(survey.holes.size(), mostGapsNoted); ++k)
+    notes.emplace_back("damaged", fmt::format("{} bytes of the file after {} s", survey.holes[k].bytes,
+                                              exactText(survey.holes[k].after_s)));
   if (survey.lost() > 0) notes.emplace_back("lost_samples", std::to_string(survey.lost()));
   if (survey.repeated > 0)
     notes.emplace_back("left_out", fmt::format("{} rows whose time didn't grow", survey.repeated));

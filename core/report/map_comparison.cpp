@@ -10,7 +10,7 @@ namespace breakaway {
 namespace {
 
 struct Quantity {
-  const char* name;
+  MessageText<0> name;
   Estimate WayBin::*of;
 };
 constexpr Quantity quantities[] = {{"static", &WayBin::static_Nm}, {"Coulomb", &WayBin::coulomb_Nm}};
@@ -37,7 +37,7 @@ bool isFrom(const Estimate& difference) {
 
 MapChange changeOf(const FrictionMap& before, const FrictionMap& after, const Quantity& quantity, size_t way) {
   MapChange change;
-  change.quantity = std::string(quantity.name) + ", " + message(mapUnitsOf(after.axis).ways[way]).english();
+  change.quantity = message(quantity.name) + ", " + message(mapUnitsOf(after.axis).ways[way]);
   double sum = 0.0, variance = 0.0;
   for (const MapBin& bin : after.bins) {
     const Estimate d = difference(binAt(before, bin.angle_rad).way[way].*quantity.of, bin.way[way].*quantity.of);
@@ -80,11 +80,11 @@ void addRing(const FrictionMap& before, const FrictionMap& after, Figure& figure
   const double scale = mapUnitsOf(after.axis).torqueScale;
   const double outside = 1.3 * std::max(largestOf(before), largestOf(after));
   Curve ring, base;
-  base.label = "no difference";
+  base.label = message("no difference");
   base.style = Curve::Style::dashed;
   base.colour = 6;
   base.width_px = 1.0;
-  ring.label = "ring: after − before, mean of both ways, same scale";
+  ring.label = message("ring: after − before, mean of both ways, same scale");
   ring.colour = 2;
   for (const Estimate& d : meanDifference(before, after)) {
     ring.x.push_back(after.bins[ring.x.size()].angle_rad);
@@ -130,12 +130,12 @@ std::vector<MapChange> compareMaps(const FrictionMap& before, const FrictionMap&
 Figure ghostFigure(const FrictionMap& before, const FrictionMap& after) {
   const MapUnits& units = mapUnitsOf(after.axis);
   const bool around = after.axis == Axis::rotary;
-  Figure figure{"Static " + message(units.torque) + ", earlier dashed", around ? Message() : message(units.place),
+  Figure figure{message("Static {}, earlier dashed", message(units.torque)), around ? Message() : message(units.place),
                 units.torqueTitle()};
   figure.polar = around;
   for (size_t way = 0; way < 2; ++way) {
     Curve ghost = staticCurve(before, way), now = staticCurve(after, way);
-    ghost.label = "earlier, " + message(units.ways[way]);
+    ghost.label = message("earlier, {}", message(units.ways[way]));
     ghost.style = Curve::Style::dashed;
     ghost.width_px = 1.1;
     now.label = message(units.ways[way]);
@@ -152,7 +152,7 @@ Figure ghostFigure(const FrictionMap& before, const FrictionMap& after) {
 
 Figure differenceFigure(const FrictionMap& before, const FrictionMap& after) {
   const MapUnits& units = mapUnitsOf(after.axis);
-  Figure figure{"Static " + message(units.torque) + ", after − before", message(units.place), units.torqueTitle()};
+  Figure figure{message("Static {}, after − before", message(units.torque)), message(units.place), units.torqueTitle()};
   for (size_t way = 0; way < 2; ++way) {
     Curve curve;
     curve.label = message(units.ways[way]);

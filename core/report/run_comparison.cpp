@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
@@ -28,8 +29,8 @@ ValueChange changeOf(const RunValue& before, const RunValue& after) {
   return {before, after, allowed > 0.0 && std::abs(after.value - before.value) > allowed};
 }
 
-std::string numberAndInterval(const RunValue& value) {
-  return fmt::format("{} ({} to {})", numberText(value.value, 3), numberText(value.low, 3), numberText(value.high, 3));
+Message numberAndInterval(const RunValue& value) {
+  return message("{} ({} to {})", numberText(value.value, 3), numberText(value.low, 3), numberText(value.high, 3));
 }
 
 std::string percent(const ValueChange& change) {
@@ -37,9 +38,17 @@ std::string percent(const ValueChange& change) {
   return fmt::format("{:+.3g} %", 100.0 * (change.after.value / change.before.value - 1.0));
 }
 
+Message kindOf(const ProjectRun& run) {
+  const Message known[] = {message("commission"), message("identification"), message("map"),  message("diagnosis"),
+                           message("tuning"),     message("recording"),      message("files")};
+  const auto* found = std::find(std::begin(known), std::end(known), run.kind);
+  return found == std::end(known) ? Message(run.kind) : *found;
+}
+
 /// "commission of 2026-03-02, 8b504e58 (before greasing)".
-std::string nameOf(const ProjectRun& run) {
-  return run.kind + " of " + run.at.substr(0, 10) + ", " + run.id + (run.name.empty() ? "" : " (" + run.name + ")");
+Message nameOf(const ProjectRun& run) {
+  const Message name = message("{} of {}, {}", kindOf(run), run.at.substr(0, 10), run.id);
+  return run.name.empty() ? name : name + (" (" + run.name + ")");
 }
 
 /// Those of `all` whose effect, the part before the colon, `others` don't have.
@@ -67,14 +76,51 @@ std::string placeText(double place, Axis axis) {
   return axis == Axis::rotary ? numberText(units.placeScale * place, 3) + "°" : numberText(1e3 * place, 3) + " mm";
 }
 
-std::string sentenceOf(const MapChange& change, Axis axis) {
+Message sentenceOf(const MapChange& change, Axis axis) {
   const MapUnits& units = mapUnitsOf(axis);
   const double scale = units.torqueScale;
-  return fmt::format(
+  return message(
       "{}: {:+.3g} {} on average (±{:.2g}); {} of {} bins beyond their intervals, by chance {:.0f}; the largest "
       "difference is {:+.3g} {} at {}.",
       change.quantity, scale * change.meanDifference, units.torqueUnit, scale * change.meanHalfWidth, change.beyond,
       change.bins, change.byChance, scale * change.largest, units.torqueUnit, placeText(change.largestAt, axis));
+}
+
+Message sentenceOf(const ValueChange& change) {
+  const Message sentence =
+      message("{}: {} → {}", change.before.name, numberAndInterval(change.before), numberAndInterval(change.after));
+  return percent(change).empty() ? sentence : sentence + (", " + percent(change));
+}
+
+Message motorOf(const ProjectRun& run) {
+  return run.motor.empty() ? message("one without serial number") : Message(run.motor);
+}
+
+Message indented(const Message& sentence) {
+  return "  " + sentence + "\n";
+}
+
+struct Words {
+  Message runs, changed, within;  ///< lines
+};
+
+Words wordsOf(const RunComparison& comparison) {
+  Message beyond, within;
+  const auto add = [&](bool isBeyond, const Message& sentence) {
+    Message& to = isBeyond ? beyond : within;
+    to = to + indented(sentence);
+  };
+  for (const ValueChange& change : comparison.values) add(change.beyond, sentenceOf(change));
+  for (const MapChange& change : comparison.maps) add(change.isBeyond(), sentenceOf(change, comparison.mapAfter->axis));
+  for (const std::string& one : comparison.findingsNew) add(true, message("new finding: {}", one));
+  for (const std::string& one : comparison.findingsGone) add(true, message("no longer found: {}", one));
+  Words words{nameOf(comparison.before) + " → " + nameOf(comparison.after) + "\n", {}, {}};
+  if (comparison.before.motor != comparison.after.motor)
+    words.changed = message("Of two motors: {} and {}.", motorOf(comparison.before), motorOf(comparison.after)) + "\n";
+  words.changed = words.changed + (beyond.empty() ? message("Nothing has changed beyond the 95 % intervals.") + "\n"
+                                                  : message("Changed beyond the 95 % intervals:") + "\n" + beyond);
+  if (!within.empty()) words.within = message("Within them:") + "\n" + within;
+  return words;
 }
 
 }  // namespace
@@ -103,27 +149,9 @@ Result<RunComparison> compareRuns(const Project& project, const ProjectRun& one,
   return comparison;
 }
 
-std::string inWords(const RunComparison& comparison) {
-  std::string beyond, within;
-  for (const ValueChange& change : comparison.values) {
-    const std::string line =
-        fmt::format("{}: {} → {}{}", change.before.name, numberAndInterval(change.before),
-                    numberAndInterval(change.after), percent(change).empty() ? "" : ", " + percent(change));
-    (change.beyond ? beyond : within) += "  " + line + "\n";
-  }
-  for (const MapChange& change : comparison.maps)
-    (change.isBeyond() ? beyond : within) += "  " + sentenceOf(change, comparison.mapAfter->axis) + "\n";
-  for (const std::string& one : comparison.findingsNew) beyond += "  new finding: " + one + "\n";
-  for (const std::string& one : comparison.findingsGone) beyond += "  no longer found: " + one + "\n";
-  std::string words = nameOf(comparison.before) + " → " + nameOf(comparison.after) + "\n";
-  if (comparison.before.motor != comparison.after.motor)
-    words += fmt::format("Of two motors: {} and {}.\n",
-                         comparison.before.motor.empty() ? "one without serial number" : comparison.before.motor,
-                         comparison.after.motor.empty() ? "one without serial number" : comparison.after.motor);
-  words += beyond.empty() ? "Nothing has changed beyond the 95 % intervals.\n"
-                          : "Changed beyond the 95 % intervals:\n" + beyond;
-  if (!within.empty()) words += "Within them:\n" + within;
-  return words;
+Message inWords(const RunComparison& comparison) {
+  const Words words = wordsOf(comparison);
+  return words.runs + words.changed + words.within;
 }
 
 std::string comparisonJson(const RunComparison& comparison) {
@@ -158,21 +186,21 @@ std::string comparisonJson(const RunComparison& comparison) {
                            {"beyond_intervals", one.isBeyond()}});
   json["findings_new"] = comparison.findingsNew;
   json["findings_gone"] = comparison.findingsGone;
-  json["words"] = inWords(comparison);
+  json["words"] = inWords(comparison).english();
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<void> writeComparison(const RunComparison& comparison, const std::string& folder) {
+Result<void> writeComparison(const RunComparison& comparison, const std::string& folder, const Catalogue& language) {
   if (auto made = makeFolder(folder + "/figures"); !made) return made;
-  HtmlReport report("What has changed", nameOf(comparison.before) + " → " + nameOf(comparison.after));
-  const std::string words = inWords(comparison);
-  report.verdict(words.substr(words.find('\n') + 1, words.find("Within them:") - words.find('\n') - 1));
+  HtmlReport report(message("What has changed"), nameOf(comparison.before) + " → " + nameOf(comparison.after),
+                    language);
+  report.verdict(wordsOf(comparison).changed);
   if (comparison.mapBefore && comparison.mapAfter) {
-    const Figure ghost = ghostFigure(*comparison.mapBefore, *comparison.mapAfter);
-    const Figure over = differenceFigure(*comparison.mapBefore, *comparison.mapAfter);
+    const Figure ghost = inLanguage(ghostFigure(*comparison.mapBefore, *comparison.mapAfter), language);
+    const Figure over = inLanguage(differenceFigure(*comparison.mapBefore, *comparison.mapAfter), language);
     const std::string map = ghost.polar ? toPolarSvg(ghost, 720, 760) : toSvg(ghost);
-    report.heading("The maps");
-    report.svg(map, "Bands are 95 % intervals.");
+    report.heading(message("The maps"));
+    report.svg(map, message("Bands are 95 % intervals."));
     report.figure(over);
     if (auto done = writeFile(folder + "/figures/map.svg", svgWithMade(map)); !done) return done;
     if (auto done = writeSvg(over, folder + "/figures/difference.svg"); !done) return done;
@@ -188,9 +216,11 @@ Result<void> writeComparison(const RunComparison& comparison, const std::string&
     rows.reserve(comparison.values.size());
     for (const ValueChange& one : comparison.values)
       rows.push_back({one.before.name, numberAndInterval(one.before), numberAndInterval(one.after), percent(one),
-                      one.beyond ? "yes" : ""});
-    report.heading("The results");
-    report.table({"result", "before", "after", "change", "beyond the intervals"}, rows);
+                      one.beyond ? message("yes") : Message()});
+    report.heading(message("The results"));
+    report.table(
+        {message("result"), message("before"), message("after"), message("change"), message("beyond the intervals")},
+        rows);
   }
   if (auto done = report.write(folder + "/report.html"); !done) return done;
   return writeFile(folder + "/comparison.json", withMade(comparisonJson(comparison)));

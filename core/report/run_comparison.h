@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/catalogue.h"
+#include "base/message.h"
 #include "base/result.h"
 #include "draw/svg_plot.h"
 #include "friction/friction_map.h"
@@ -22,7 +24,7 @@ struct ValueChange {
 
 /// One quantity and way of two friction maps, bin by bin. In Nm; N on a linear axis.
 struct MapChange {
-  std::string quantity;  ///< "static, clockwise"
+  Message quantity;  ///< "static, clockwise"
   size_t bins = 0, beyond = 0;
   double byChance = 0.0;  ///< bins beyond that chance alone would make, a twentieth of those with intervals
   /// After − before, and half its 95 % interval as if all bins shared their errors, such as the current sensor's zero.
@@ -53,7 +55,7 @@ std::vector<Estimate> meanDifference(const FrictionMap& before, const FrictionMa
                                      Estimate WayBin::*quantity = &WayBin::static_Nm);
 
 /// One sentence a line, what lies beyond the intervals first.
-std::string inWords(const RunComparison& comparison);
+Message inWords(const RunComparison& comparison);
 /// What comparison.json holds, but for where it comes from (base/made.h).
 std::string comparisonJson(const RunComparison& comparison);
 
@@ -62,7 +64,8 @@ Figure ghostFigure(const FrictionMap& before, const FrictionMap& after);
 /// After − before over the place, with its band, by way.
 Figure differenceFigure(const FrictionMap& before, const FrictionMap& after);
 
-/// comparison.json, report.html and figures/*.svg into `folder`.
-Result<void> writeComparison(const RunComparison& comparison, const std::string& folder);
+/// comparison.json, report.html and figures/*.svg into `folder`; report and figures in `language`.
+Result<void> writeComparison(const RunComparison& comparison, const std::string& folder,
+                             const Catalogue& language = {});
 
 }  // namespace breakaway

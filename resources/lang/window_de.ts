@@ -917,6 +917,10 @@
         <translation>%1 verloren</translation>
     </message>
     <message>
+        <source>%1 bytes damaged</source>
+        <translation>%1 Byte beschädigt</translation>
+    </message>
+    <message>
         <source>ended by: %1</source>
         <translation>beendet: %1</translation>
     </message>
@@ -1996,6 +2000,14 @@
     <message>
         <source>The window did not answer for %1 ms, so the motor was stopped</source>
         <translation>Das Fenster hat %1 ms nicht geantwortet, darum wurde der Motor angehalten</translation>
+    </message>
+    <message>
+        <source>%1. What ran had come to %2 %, and what it measured is kept</source>
+        <translation>%1. Was lief, war bei %2 %, und was es gemessen hat, bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>The machine was too busy: for %1 ms the window got hardly any processor time, so the motor was stopped; end what else runs, or wait for it</source>
+        <translation>Der Rechner war überlastet: Das Fenster bekam %1 ms lang kaum Rechenzeit, darum wurde der Motor angehalten; beenden Sie, was sonst läuft, oder warten Sie darauf</translation>
     </message>
 </context>
 <context>

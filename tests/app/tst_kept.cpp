@@ -5,9 +5,12 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "app/cut_drive.h"
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "app/small_drive.h"
+#include "base/atomic_file.h"
+#include "firmware_link/transport/open_board.h"
 #include "recording/block_file.h"
 #include "recording/csv.h"
 #include "support/temporary.h"
@@ -22,13 +25,17 @@ class TestKept : public QObject {
  private slots:
   void initTestCase();
   void linkLostWhileRecording_leavesPlotsAndRecording();
+  void linkLostInASweep_leavesItsBreakaways_data();
+  void linkLostInASweep_leavesItsBreakaways();
   void message_hidesNothingAndIsWhole();
   void messageThatIsClicked_isShownWholeInTheLog();
   void doubleClick_doesNotPressWhatTheButtonHasBecome();
   void windowClosedWhileRecording_leavesTheRecording();
   void closing_asksOnlyWhileTheMotorTurns();
   void finishedMap_isInTheProject();
+  void resultWithoutATemporaryFolder_isKept();
   void sizeOfTheWindow_isKept();
+  void settingsOfSweepsAndPlots_areKept();
   void folderThatCannotBeMade_isSaid();
 };
 
@@ -58,7 +65,7 @@ struct SmallDesk {
 };
 
 /// What a project holds when it is opened afterwards, as a command would.
-std::vector<ProjectRun> runsIn(const QString& folder, std::vector<std::string>* said = nullptr) {
+std::vector<ProjectRun> runsIn(const QString& folder, std::vector<Message>* said = nullptr) {
   const auto project = Project::open(folder.toStdString());
   if (!project) qFatal("%s", project.error().message().c_str());
   if (said != nullptr) *said = project->said();
@@ -144,6 +151,54 @@ void TestKept::linkLostWhileRecording_leavesPlotsAndRecording() {
   QVERIFY(!desk.session.live.lost_s());
 }
 
+void TestKept::linkLostInASweep_leavesItsBreakaways_data() {
+  QTest::addColumn<QString>("uri");
+  QTest::addColumn<double>("pace");
+  QTest::newRow("rotor") << "simulated:servo" << hurried;
+  QTest::newRow("linear axis") << "simulated:linear" << 2.0 * hurried;
+}
+
+/// A journey of seconds: it needs a motor that is known and a sweep that is under way.
+void TestKept::linkLostInASweep_leavesItsBreakaways() {
+  QFETCH(QString, uri);
+  QFETCH(double, pace);
+  const QTemporaryDir place;
+  Desk desk(pace);
+  desk.session.project.open(place.filePath("p"));
+  auto board = openBoard({uri.toStdString()});
+  VERIFY_OK(board);
+  const auto cut = std::make_shared<std::atomic<bool>>(false);
+  desk.session.connection.adopt(std::make_unique<CutDrive>(std::move(*board), cut), uri);
+  desk.window.showLive(true);
+  QVERIFY(desk.homed());
+  const Commission& known = desk.session.bench.known();
+  desk.quickSpeeds();
+  desk.sweep(24, 1);
+  QVERIFY(QTest::qWaitFor([&] { return known.knows(Known::runs); }, patience_ms));
+  desk.session.connection.setPace(unhurried);
+  QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() >= 4; }, patience_ms));
+  *cut = true;
+  QTRY_VERIFY(!desk.session.connection.connected() && !desk.session.connection.run().running());
+  const std::vector<BreakawayEvent> before = known.breakaways;
+  QVERIFY(before.size() >= 4 && before.size() < 48 && !known.knows(Known::map));
+  const QString said = named<QLabel>(desk.window, "frictionRunActivity")->text();
+  QVERIFY2(said.contains("What was measured is kept"), qPrintable(said));
+  const auto& lines = desk.session.messages.lines();
+  QVERIFY(std::any_of(lines.begin(), lines.end(),
+                      [](const Messages::Line& line) { return line.text.contains("What ran had come to "); }));
+  const auto* mark = named<QWidget>(desk.window, "livePlot")->findChild<QCPItemText*>("linkLost");
+  QVERIFY2(mark->visible(), "the moment of loss");
+  QTRY_COMPARE(QDir(place.filePath("p/unfinished")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+  // The board is back: it homes anew, and the sweep goes on with what there is.
+  desk.session.connection.setPace(pace);
+  desk.session.connection.open(uri);
+  QVERIFY(desk.homed());
+  desk.sweep(24, 1);
+  QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() > before.size(); }, patience_ms));
+  press(desk.window, "stopButton");
+  for (size_t k = 0; k < before.size(); ++k) QCOMPARE(known.breakaways[k].torque_Nm, before[k].torque_Nm);
+}
+
 void TestKept::message_hidesNothingAndIsWhole() {
   const QTemporaryDir place;
   SmallDesk desk(place.filePath("p"));
@@ -220,7 +275,7 @@ void TestKept::windowClosedWhileRecording_leavesTheRecording() {
     QVERIFY(desk.recordsFor(0.2));
     QVERIFY(desk.window.close());
   }
-  std::vector<std::string> said;
+  std::vector<Message> said;
   const auto runs = runsIn(project, &said);
   QVERIFY2(said.empty(), "it was ended in order, nothing had to be mended");
   QCOMPARE(runs.size(), size_t{1});
@@ -265,6 +320,24 @@ void TestKept::finishedMap_isInTheProject() {
   QVERIFY2(run.device.find("servo") != std::string::npos, run.device.c_str());
 }
 
+void TestKept::resultWithoutATemporaryFolder_isKept() {
+  const QTemporaryDir place;
+  const QByteArray before = qgetenv("TMPDIR");
+  Desk desk;
+  desk.session.project.open(place.filePath("p"));
+  QTRY_VERIFY(QFile::exists(place.filePath("p/project.json")));
+  qputenv("TMPDIR", place.filePath("none").toUtf8());
+  NewRun run;
+  run.name = "kept";
+  run.write = [](const std::string& into) { return writeFile(into + "/note.txt", "kept\n"); };
+  bool kept = false;
+  desk.session.project.put(run, [&kept] { kept = true; });
+  const bool done = QTest::qWaitFor([&kept] { return kept; }, 10000);
+  before.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+  QVERIFY(done);
+  QCOMPARE(runsIn(place.filePath("p")).front().name, std::string("kept"));
+}
+
 void TestKept::sizeOfTheWindow_isKept() {
   Desk desk;
   desk.window.resize(1300, 720);
@@ -272,6 +345,25 @@ void TestKept::sizeOfTheWindow_isKept() {
   Desk next;
   QVERIFY(restoreLayout(next.window));
   QCOMPARE(next.window.size(), QSize(1300, 720));
+}
+
+void TestKept::settingsOfSweepsAndPlots_areKept() {
+  const auto live = [](Desk& desk) { return named<QAbstractButton>(desk.window, "liveButton"); };
+  Desk desk;
+  const bool open = live(desk)->isChecked();
+  named<QSpinBox>(desk.window, "bins")->setValue(90);
+  named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(12.5);
+  named<QDoubleSpinBox>(desk.window, "highestSpeed")->setValue(50.0);  // one motor's
+  named<QComboBox>(desk.window, "spanBox")->setCurrentIndex(3);
+  press(desk.window, "liveButton");
+  QVERIFY(desk.window.close());
+  Desk next;
+  restoreLayout(next.window);
+  QCOMPARE(named<QSpinBox>(next.window, "bins")->value(), 90);
+  QCOMPARE(named<QDoubleSpinBox>(next.window, "speedDuration")->value(), 12.5);
+  QCOMPARE(named<QDoubleSpinBox>(next.window, "highestSpeed")->value(), 0.0);
+  QCOMPARE(named<QComboBox>(next.window, "spanBox")->currentIndex(), 3);
+  QCOMPARE(live(next)->isChecked(), !open);
 }
 
 void TestKept::folderThatCannotBeMade_isSaid() {

@@ -377,12 +377,17 @@ void TestRuns::recordingsEnd_isToldInTheLanguage() {
   QCOMPARE(resultInWords(run), QString::fromStdString(run.verdict));
   speak(Language::german);
   const QString german = resultInWords(run);
+  run.verdict =
+      "3.9 s, 19280 samples, 1616 bytes damaged; ended by: a kill or a loss of power: the last second may be missing";
+  const QString damaged = resultInWords(run);
   run.verdict = "61.0 s, 305000 samples";
   const QString whole = resultInWords(run);
   run.verdict = "nothing was recorded";
   const QString other = resultInWords(run);
   speak(Language::english);
   QVERIFY2(german.startsWith("3.9 s, 19280 Messwerte, 12 verloren; beendet: "), qPrintable(german));
+  QVERIFY2(damaged.startsWith("3.9 s, 19280 Messwerte, 1616 Byte beschädigt; beendet: ein Abbruch"),
+           qPrintable(damaged));
   QCOMPARE(whole, QString("61.0 s, 305000 Messwerte"));
   QCOMPARE(other, QString("nothing was recorded"));
 }

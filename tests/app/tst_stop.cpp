@@ -1,15 +1,21 @@
 // Whatever the window does or fails to do, the motor stops.
 #include <qcustomplot.h>
+#include <sched.h>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalSpy>
+#include <atomic>
+#include <thread>
+#include <vector>
 
 #include "app/small_drive.h"
 #include "app/window_support.h"
 #include "base/numbers.h"
+#include "base/thread_glance.h"
 #include "recording/csv.h"
 #include "session/trigger.h"
 #include "session/visible_spectrum.h"
@@ -28,6 +34,7 @@ class TestStop : public QObject {
   void escapeInTypedText_stops();
   void returnPressesAButton();
   void blockedWindow_stopsTheMotor();
+  void starvedMachine_isToldFromAHungWindow();
   void answeringWindow_keepsItRunning();
   void stop_reachesTheDriveWithin50ms();
   void startPostedBeforeStop_isDropped();
@@ -136,13 +143,56 @@ void TestStop::blockedWindow_stopsTheMotor() {
     prompt = std::chrono::steady_clock::now() - asked < std::chrono::milliseconds(50) ? prompt + 1 : 0;
   }
   const auto start = std::chrono::steady_clock::now();
-  while (desk.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
-  }  // this thread is the window's: it answers nothing
-  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  double took_s = 0.0;
+  std::thread looking([&] {
+    while (desk.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  });
+  looking.join();  // this thread is the window's: it answers nothing
   QVERIFY(!desk.witness->powered);
   QVERIFY2(took_s > 0.15 && took_s < 1.0, qPrintable(QString::number(took_s)));
   QTRY_COMPARE(desk.session.connection.stateWords(), QString("stopped by watchdog"));
   QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("did not answer for 250 ms"));
+}
+
+/// The window's thread has the lowest claim to a processor that others keep busy.
+void TestStop::starvedMachine_isToldFromAHungWindow() {
+  Desk desk(0.25);
+  if (!WatchedThread().ran_s()) QSKIP("the system doesn't tell how a thread fares");
+  cpu_set_t before, one;
+  QVERIFY(::sched_getaffinity(0, sizeof before, &before) == 0);
+  QVERIFY(desk.turning());
+  CPU_ZERO(&one);
+  CPU_SET(::sched_getcpu(), &one);
+  std::atomic<bool> busy{true};
+  std::vector<std::thread> others;
+  for (int k = 0; k < 3; ++k)
+    others.emplace_back([&busy, one] {
+      ::sched_setaffinity(0, sizeof one, &one);
+      const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+      while (busy && std::chrono::steady_clock::now() < until) continue;
+    });
+  std::thread looking([&] {  // frees the processor when the motor stands
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(8);
+    while (desk.witness->powered && std::chrono::steady_clock::now() < until)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    busy = false;
+  });
+  const sched_param none{};
+  const bool last = ::sched_setaffinity(0, sizeof one, &one) == 0 && ::sched_setscheduler(0, SCHED_IDLE, &none) == 0;
+  QElapsedTimer clock;
+  clock.start();
+  while (busy && clock.elapsed() < 8000) QCoreApplication::processEvents();
+  looking.join();
+  for (std::thread& other : others) other.join();
+  const bool back = ::sched_setscheduler(0, SCHED_OTHER, &none) == 0;
+  ::sched_setaffinity(0, sizeof before, &before);
+  QVERIFY(last && back);
+  QVERIFY(!desk.witness->powered);
+  QTRY_COMPARE(desk.session.connection.stateWords(), QString("stopped by watchdog"));
+  QVERIFY2(named<QLabel>(desk.window, "messageLine")->text().contains("The machine was too busy"),
+           qPrintable(named<QLabel>(desk.window, "messageLine")->text()));
 }
 
 void TestStop::answeringWindow_keepsItRunning() {

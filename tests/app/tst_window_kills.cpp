@@ -14,6 +14,7 @@
 #include "friction/map_export.h"
 #include "project/project.h"
 #include "support/noisy_map.h"
+#include "support/small_disk.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -22,6 +23,7 @@ using namespace breakaway::test;
 class TestWindowKills : public QObject {
   Q_OBJECT
  private slots:
+  void fullDisk_leavesWhatWasRecorded();
   void killedWindow_losesLessThanASecond_data();
   void killedWindow_losesLessThanASecond();
   void killedSweep_goesOnInTheNextWindow();
@@ -30,6 +32,7 @@ class TestWindowKills : public QObject {
 
 namespace {
 
+bool disksAllowed = false;
 constexpr double rate_Hz = 10'000.0;
 
 void begun() {
@@ -165,6 +168,20 @@ void TestWindowKills::killedWindow_losesLessThanASecond() {
   if (what == "recording") QCOMPARE(left.cut, 3);
 }
 
+void TestWindowKills::fullDisk_leavesWhatWasRecorded() {
+  if (!disksAllowed) QSKIP("no mounts are allowed here: a full disk can't be made");
+  const QTemporaryDir place;
+  const ProjectKills left = fullDisksWhileRecording(place.path().toStdString(), 3);
+  QStringList faults;
+  for (const std::string& fault : left.faults) faults << QString::fromStdString(fault);
+  QVERIFY2(left.faults.empty(), qPrintable(faults.join("; ")));
+  QVERIFY2(left.good() && left.cut == 3, qPrintable(QString("%1 open, %2 whole, %3 said, %4 s")
+                                                        .arg(left.opened)
+                                                        .arg(left.whole)
+                                                        .arg(left.said)
+                                                        .arg(left.worst_s)));
+}
+
 void TestWindowKills::killedSweep_goesOnInTheNextWindow() {
   const QTemporaryDir place;
   const QString folder = place.filePath("p");
@@ -245,6 +262,7 @@ int main(int argc, char** argv) {
     wear(Theme::light);
     return work(argv[2], argv[3]);
   }
+  disksAllowed = takeOwnMounts();
   QCoreApplication application(argc, argv);
   TestWindowKills test;
   return QTest::qExec(&test, argc, argv);

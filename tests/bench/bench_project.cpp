@@ -81,7 +81,7 @@ int main() {
     static_cast<void>(compareRuns(*project, *one, *other));
   });
   const double rebuild_ms = best_ms([&] {
-    std::vector<std::string> said;
+    std::vector<Message> said;
     static_cast<void>(project->index().rebuild(said));
   });
   std::filesystem::remove_all(folder);

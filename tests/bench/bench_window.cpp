@@ -1,15 +1,18 @@
 // Whether the window is ever in the way: repaints, processor time and the longest events of its thread while
 // 10 kHz × 12 channels come live, while a recording of ten million rows is opened and zoomed, and with a project of a
-// thousand runs. ./dev bench window; with three arguments SECONDS ROWS RUNS less of it.
+// thousand runs; and whether half an hour of those channels goes to the disk whole, with flat memory, as fast as the
+// disk takes it. ./dev bench window; with three arguments SECONDS ROWS RUNS less of it.
 #include <qcustomplot.h>
 
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 #include <cstdio>
 #include <functional>
@@ -20,8 +23,10 @@
 #include "main_window.h"
 #include "recording/block_file.h"
 #include "recording/sample_recording.h"
+#include "session/recorder.h"
 #include "session/session.h"
 #include "support/processor_time.h"
+#include "support/resident_memory.h"
 #include "widgets/file_chooser.h"
 #include "widgets/look.h"
 
@@ -114,6 +119,44 @@ void live(const QString& project, int seconds) {
   rest(5000);
   row("disconnected",
       QString("%1 % of a core").arg(1e5 * idle.elapsed_s() / static_cast<double>(clock.elapsed()), 0, 'f', 1));
+}
+
+/// Half an hour of recording, as fast as the disk takes it: what is read back is compared by number and last sample.
+void record(const QString& folder, double length_s) {
+  const std::string path = folder.toStdString() + "/half-an-hour.blocks";
+  auto blocks = BlockWriter::create(path, {sampleColumns(Axis::rotary), {}});
+  if (!blocks) return;
+  constexpr size_t batch = 10'000, mostAhead = 200'000;
+  const size_t row_bytes = sizeof(double) * sampleColumns(Axis::rotary).size();
+  const auto rows = static_cast<size_t>(length_s * rate_Hz);
+  double begin_MB = 0.0, most_MB = 0.0;
+  QElapsedTimer clock;
+  clock.start();
+  Recorder recorder(std::move(*blocks), {});
+  std::vector<Sample> samples(batch);
+  for (size_t first = 0; first < rows; first += batch) {
+    samples.resize(std::min(batch, rows - first));
+    for (size_t k = 0; k < samples.size(); ++k)
+      samples[k] = StreamingDrive::at(static_cast<double>(first + k) / rate_Hz);
+    recorder.append(samples, 0);
+    const auto written = [&] {
+      return static_cast<size_t>(QFileInfo(QString::fromStdString(path)).size()) / row_bytes;
+    };
+    while (first > written() + mostAhead) QThread::msleep(1);
+    most_MB = std::max(most_MB, resident_MB(QCoreApplication::applicationPid()));
+    if (first < mostAhead) begin_MB = most_MB;
+  }
+  recorder.finish();
+  recorder.wait();
+  const double took_s = 1e-3 * static_cast<double>(clock.elapsed());
+  const auto survey = surveyBlocks(path);
+  std::printf(
+      "| recorded, %.0f min | | | | | | | %zu samples handed over, %llu on disk%s, in %.0f s; memory %.0f MB, at most "
+      "%.0f MB |\n",
+      length_s / 60.0, rows, survey ? static_cast<unsigned long long>(survey->rows) : 0ULL,
+      survey && survey->ended && survey->why.empty() ? "" : " (NOT ENDED IN ORDER)", took_s, begin_MB, most_MB);
+  std::fflush(stdout);
+  QFile::remove(QString::fromStdString(path));
 }
 
 std::string longRecording(const QString& folder, size_t rows) {
@@ -212,6 +255,7 @@ int main(int argc, char** argv) {
   std::printf("| the window | events | p99, ms | worst, ms | p99, own ms | worst, own ms | whose | |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
   live(place.filePath("a"), number(1, 20));
+  record(place.path(), argc == 4 ? 60.0 : 1800.0);
   open(place.path(), place.filePath("b"), static_cast<size_t>(number(2, 10'000'000)));
   list(place.filePath("c"), number(3, 1000));
   return 0;

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <set>
@@ -15,6 +17,7 @@
 #include "project/project.h"
 #include "recording/sample_recording.h"
 #include "session/recorder.h"
+#include "support/small_disk.h"
 
 namespace breakaway::test {
 
@@ -74,9 +77,46 @@ double killed(const std::function<void()>& work, std::chrono::milliseconds after
   }
 }
 
+constexpr std::uint64_t ballast_bytes = 64U << 10U;  // what somebody deletes when the disk is full
+constexpr std::uint64_t smallestDisk_bytes = 160U << 10U, largerBy_bytes = 60U << 10U;
+
+/// Records until the disk ends that; the time of the last sample that was handed over, or nothing where none could.
+std::optional<double> recordUntilFull(const std::string& folder, ProjectKills& kills) {
+  const auto fail = [&](const std::string& why) {
+    kills.faults.push_back(why);
+    return std::nullopt;
+  };
+  if (!writeFile(folder + "/ballast", std::string(ballast_bytes, 'x'))) return fail("no ballast");
+  auto project = Project::open(folder + "/p", Project::Missing::isMade);
+  if (!project) return fail(project.error().message());
+  std::optional<BlockWriter> blocks;
+  const auto run = project->beginRecording({}, {sampleColumns(Axis::rotary), {}}, blocks);
+  if (!run) return fail(run.error().message());
+  std::atomic<bool> ended{false};
+  RecorderOptions options;
+  options.reserve_bytes = 0;
+  Recorder recorder(std::move(*blocks), {[&](const RecordingEnd&) { ended = true; }, {}}, options);
+  double time_s = now_s();
+  const double begun_s = time_s;
+  while (!ended && now_s() < begun_s + 20.0) {
+    std::this_thread::sleep_for(5ms);
+    std::vector<Sample> samples;
+    for (const double until_s = now_s(); time_s < until_s; time_s += 1.0 / rate_Hz) {
+      samples.emplace_back();
+      samples.back().time_s = time_s;
+    }
+    recorder.append(samples, 0);
+  }
+  recorder.finish("the disk never got full");
+  recorder.wait();
+  if (recorder.end().why.find("No space left") == std::string::npos) return fail(recorder.end().why);
+  static_cast<void>(project->endRecording(*run, recorder.end().why));  // may not be possible any more
+  return time_s;
+}
+
 bool saysOf(const Project& project, const std::string& run) {
   return std::any_of(project.said().begin(), project.said().end(),
-                     [&](const std::string& line) { return line.find(run) != std::string::npos; });
+                     [&](const Message& line) { return line.find(run) != std::string::npos; });
 }
 
 }  // namespace
@@ -129,6 +169,29 @@ ProjectKills killsWhileRecording(const std::string& folder, int kills, std::mt19
     for (const ProjectRun& run : runs ? *runs : std::vector<ProjectRun>()) {
       if (known.insert(run.id).second) countCut(*project, run, at_s, all);
     }
+  }
+  return all;
+}
+
+ProjectKills fullDisksWhileRecording(const std::string& folder, int disks) {
+  ProjectKills all;
+  for (int k = 0; k < disks; ++k) {
+    const std::string place = folder + "/disk-" + std::to_string(k);
+    static_cast<void>(makeFolder(place));
+    const SmallDisk disk(place, smallestDisk_bytes + ballast_bytes + static_cast<size_t>(k) * largerBy_bytes);
+    const auto last_s = disk.mounted() ? recordUntilFull(place, all) : std::nullopt;
+    // While it is full, and when there is room again.
+    const auto full = Project::open(place + "/p");
+    if (!full || full->index().list({})->size() != 1) all.faults.push_back(place + ": not listed while full");
+    static_cast<void>(std::filesystem::remove(place + "/ballast"));
+    const auto project = lookedAt(place + "/p", all);
+    const auto run = project ? project->index().find("last") : Result<ProjectRun>(Error{});
+    if (!last_s || !run) continue;
+    ++all.cut;
+    if (run->state == RunState::cut && run->verdict.find("ended by: ") != std::string::npos) ++all.said;
+    const auto survey = surveyBlocks(project->pathOf(*run, recordingFile));
+    if (!survey || survey->rows == 0) all.faults.push_back(place + ": holds no sample");
+    if (survey) all.worst_s = std::max(all.worst_s, *last_s - survey->last_s);
   }
   return all;
 }

@@ -1,4 +1,4 @@
-// What kills leave of a project: while runs are put in, and while a recording grows.
+// What kills and full disks leave of a project: while runs are put in, and while a recording grows.
 #pragma once
 
 #include <optional>
@@ -31,5 +31,9 @@ ProjectKills killsWhileAdding(const std::string& folder, int kills, std::mt19937
 
 /// The same while it records 10 kHz × 12 channels, a run each.
 ProjectKills killsWhileRecording(const std::string& folder, int kills, std::mt19937& random);
+
+/// Records the same on that many disks of growing size (support/small_disk.h) until they are full, and opens the
+/// project on the full disk, and once more when there is room again.
+ProjectKills fullDisksWhileRecording(const std::string& folder, int disks);
 
 }  // namespace breakaway::test

@@ -130,18 +130,19 @@ std::vector<OutputJob> jobsIn(const QTemporaryDir& place) {
 }
 
 /// A project, killed while runs are put in and while it records.
-bool projectOutlives(int kills, std::mt19937& random) {
+bool projectOutlives(int kills, int disks, std::mt19937& random) {
   const QTemporaryDir place;
   const std::string folder = place.path().toStdString();
   const std::pair<const char*, ProjectKills> tested[] = {
       {"putting runs in", killsWhileAdding(folder + "/a", kills, random)},
       {"recording 10 kHz × 12 channels", killsWhileRecording(folder + "/r", kills, random)}};
   std::vector<std::pair<std::string, ProjectKills>> all(std::begin(tested), std::end(tested));
+  if (disks > 0) all.emplace_back("recording until the disk is full", fullDisksWhileRecording(folder + "/f", disks));
   const QString window = QString::fromStdString(BREAKAWAY_WINDOW_AT_WORK);
   for (const char* work : windowWorks)
     all.emplace_back(std::string("the window, ") + work,
                      killsOfTheWindow(window, work, place.filePath(work), kills, random));
-  std::printf("\n| project, killed while | kills | opens | whole | cut short | said | most lost, s |\n");
+  std::printf("\n| project, killed while | times | opens | whole | cut short | said | most lost, s |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const auto& [what, left] : all) {
@@ -200,6 +201,6 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
     good = good && tested.good();
   }
-  if (argc < 4 || std::string(argv[3]) == "project") good = projectOutlives(kills, random) && good;
+  if (argc < 4 || std::string(argv[3]) == "project") good = projectOutlives(kills, disks ? sizes : 0, random) && good;
   return good ? 0 : 1;
 }

@@ -17,8 +17,10 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/sample_decoder.h"
 #include "firmware_link/transport/open_byte_stream.h"
+#include "support/resident_memory.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
@@ -27,16 +29,6 @@ constexpr double rate_Hz = 10000.0, beatEvery_s = 0.05, settles_s = 3.0;
 
 double since_s(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
-/// Resident memory in MB; 0 when the system doesn't tell.
-double resident_MB(qint64 process) {
-  QFile file(QString("/proc/%1/status").arg(process));
-  if (!file.open(QIODevice::ReadOnly)) return 0.0;
-  for (const QByteArray& line : file.readAll().split('\n')) {
-    if (line.startsWith("VmRSS:")) return 1e-3 * line.mid(6).trimmed().split(' ').front().toDouble();
-  }
-  return 0.0;
 }
 
 /// The servo's rig with a tick of 0.1 ms.

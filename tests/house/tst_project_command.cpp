@@ -83,6 +83,11 @@ void TestProjectCommand::diagnose_isARunOfItsMotor() {
   QVERIFY(run["values"].toArray().size() >= 2);
   const QJsonArray values = json({"project", "list", "p", "--motor", "0117", "--history"})["values"].toArray();
   QCOMPARE(values.size(), run["values"].toArray().size());
+  const QJsonArray findings = json({"project", "list", "p", "--motor", "0117", "--history"})["findings"].toArray();
+  QCOMPARE(findings.size(), 1);
+  QCOMPARE(findings[0]["run"].toString(), id);
+  QCOMPARE(findings[0]["verdict"], run["verdict"]);
+  QCOMPARE(json({"project", "show", "p", run["at"].toString()})["id"].toString(), id);  // by its date
   QVERIFY(json({"project", "list", "p", "--motor", "9"})["runs"].toArray().isEmpty());
 }
 

@@ -10,6 +10,8 @@
 #include <QTest>
 #include <csignal>
 
+#include "base/atomic_file.h"
+#include "base/uuid.h"
 #include "project/project.h"
 #include "support/small_disk.h"
 #include "support/temporary.h"
@@ -27,12 +29,17 @@ class TestProject : public QObject {
   void run_isPutInWithWhatItsFilesSay();
   void otherFolder_isNoProject();
   void mixedFiles_areRefused();
+  void oddDatesAndNames_stayInTheProject();
+  void noteOfAnotherProgram_isNotOverwritten();
   void runs_areListedByMotorKindAndDate();
   void ambiguousKey_isAnError();
   void history_goesByMotorOverDates();
   void deletedIndex_isMadeAnew();
   void olderIndex_isMadeAnew();
   void damagedIndex_isMadeAnew();
+  void indexDamagedWhileItIsOpen_isMadeAnew();
+  void damagedMark_isMadeAnew();
+  void damagedRun_canBePutInAnew();
   void check_findsWhatIsMissingChangedAndUnknown();
   void twoProcesses_putIntoOneProject();
   void killedWhilePuttingIn_leavesWholeRunsOnly();
@@ -128,6 +135,43 @@ void TestProject::mixedFiles_areRefused() {
   QVERIFY(QDir(QString::fromStdString(folder.path("p/runs"))).isEmpty());
 }
 
+void TestProject::oddDatesAndNames_stayInTheProject() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  size_t put = 0;
+  for (const char* at : {"../../elsewhere", "2026/03/02 09:14", "yesterday", "2026-03-02T09:14:07.25Z"}) {
+    NewRun run;
+    run.write = [at](const std::string& stage) {
+      return writeFile(stage + "/diagnosis.json", diagnosisText(0.02, "11111111-0000-4000-8000-000000000000", at));
+    };
+    run.kind = "../odd";
+    run.name = "a\nname\x1b[31m of \"ü\" '; DROP TABLE runs; --";
+    const auto added = project.add(run);
+    VERIFY_OK(added);
+    QVERIFY2(isRunTime(added->at), added->at.c_str());
+    QCOMPARE(added->name, std::string("a name [31m of \"ü\" '; DROP TABLE runs; --"));
+    QCOMPARE(added->folder.find('/'), added->folder.rfind('/'));
+    QCOMPARE(runsIn(opened(folder)), ++put);
+  }
+  QCOMPARE(project.index().find("last")->at.substr(0, 4), utcNow().substr(0, 4));
+  VERIFY_OK(project.annotate("last", {"b\tc", {}, "0117'%"}));
+  QCOMPARE(project.index().list({.motor = "0117'%"})->at(0).name, std::string("b c"));
+  QCOMPARE(folder.names(), QStringList("p"));
+  QVERIFY(project.check()->lines.empty());
+}
+
+void TestProject::noteOfAnotherProgram_isNotOverwritten() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  auto run = project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"));
+  VERIFY_OK(run);
+  run->name = "by another";
+  VERIFY_OK(writeRunFile(*run, folder.path("p/" + run->folder)));  // which this index hasn't heard of
+  VERIFY_OK(project.annotate(run->id, {{}, "cold", {}}));
+  QCOMPARE(project.index().find(run->id)->name, std::string("by another"));
+  QCOMPARE(opened(folder).index().find(run->id)->remark, std::string("cold"));
+}
+
 void TestProject::runs_areListedByMotorKindAndDate() {
   const TemporaryFolder folder;
   Project project = opened(folder);
@@ -162,6 +206,10 @@ void TestProject::ambiguousKey_isAnError() {
   QVERIFY(project.index().find("the same").error().fact.starts_with("has 2 runs"));
   QVERIFY(project.index().find("none").error().fact.starts_with("has no run"));
   QVERIFY(!project.index().find("").ok());
+  QVERIFY(project.index().find("2026-01-05").error().fact.starts_with("has 2 runs"));
+  VERIFY_OK(project.add(runOf(0.02, "0117", "2026-02-05T10:00:00Z")));
+  QCOMPARE(project.index().find("2026-02-05")->at, std::string("2026-02-05T10:00:00Z"));
+  QVERIFY(!project.index().find("2026-02").ok());
   VERIFY_OK(project.index().find("last"));
 }
 
@@ -217,6 +265,56 @@ void TestProject::damagedIndex_isMadeAnew() {
     QVERIFY2(project.said().size() == 1 && project.said()[0].find("was damaged") != std::string::npos,
              qPrintable(QString::number(at)));
   }
+}
+
+void TestProject::indexDamagedWhileItIsOpen_isMadeAnew() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  VERIFY_OK(project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z")));
+  {
+    QFile file(QString::fromStdString(folder.path("p/index.sqlite")));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const qint64 size = file.size();
+    QVERIFY(file.write(QByteArray(static_cast<qsizetype>(size), 'x')) == size);
+  }
+  VERIFY_OK(project.add(runOf(0.03, "0117", "2026-01-06T10:00:00Z")));
+  QCOMPARE(runsIn(project), size_t{2});
+  QVERIFY(project.said().back().find("was damaged") != std::string::npos);
+  QCOMPARE(runsIn(opened(folder)), size_t{2});
+}
+
+void TestProject::damagedMark_isMadeAnew() {
+  const TemporaryFolder folder;
+  { VERIFY_OK(opened(folder).add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"))); }
+  for (const char* content : {"", "{\"schema\": \"brea", "\x01\x02"}) {
+    folder.write("p/project.json", content);
+    const auto project = Project::open(folder.path("p"));
+    VERIFY_OK(project);
+    QCOMPARE(runsIn(*project), size_t{1});
+    QCOMPARE(project->said().size(), size_t{1});
+    QVERIFY(project->said()[0].find("project.json was damaged: made anew") != std::string::npos);
+    QVERIFY(opened(folder).said().empty());
+  }
+  QVERIFY(QFile::remove(QString::fromStdString(folder.path("p/project.json"))));
+  VERIFY_OK(Project::open(folder.path("p")));
+  folder.write("p/project.json", "{\"schema\": \"breakaway.project/2\"}");  // a later version's is left alone
+  QVERIFY(!Project::open(folder.path("p")).ok());
+}
+
+void TestProject::damagedRun_canBePutInAnew() {
+  const TemporaryFolder folder;
+  Project project = opened(folder);
+  const auto run = project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z"));
+  VERIFY_OK(run);
+  folder.write("p/" + run->folder + "/run.json", "{\"id\": ");
+  Project again = opened(folder);
+  QCOMPARE(runsIn(again), size_t{0});
+  QVERIFY(again.said().at(0).find("the run is left out") != std::string::npos);
+  const auto faults = again.check();
+  QVERIFY(faults->lines.at(0).find("breakaway project add takes what else is in it") != std::string::npos);
+  const auto anew = again.add({.sources = {folder.path("p/" + run->folder)}});
+  VERIFY_OK(anew);
+  QCOMPARE(anew->verdict, std::string("named"));
 }
 
 void TestProject::check_findsWhatIsMissingChangedAndUnknown() {
@@ -278,6 +376,9 @@ void TestProject::killedWhilePuttingIn_leavesWholeRunsOnly() {
       for (;;) static_cast<void>(project.add(runOf(0.02, "0117", "2026-01-05T10:00:00Z")));
     }
     QTest::qSleep(20 + 7 * kill);
+    // A busy machine may have put none in so far.
+    const QDir runs(QString::fromStdString(folder.path("p/runs")));
+    for (int k = 0; kill == 7 && runs.isEmpty() && k < 2000; ++k) QTest::qSleep(10);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     const Project project = opened(folder);

@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "friction/map_export.h"
 #include "report/run_comparison.h"
 #include "support/noisy_map.h"
@@ -19,6 +20,7 @@ class TestRunComparison : public QObject {
   void otherNumberOfBins_isCompared();
   void runsWithNothingInCommon_areAnError();
   void comparison_isWrittenWhole();
+  void report_isInTheLanguage();
 };
 
 namespace {
@@ -113,6 +115,24 @@ void TestRunComparison::comparison_isWrittenWhole() {
     VERIFY_OK(text);
     QVERIFY2(text->size() > 500 && text->find("\"run\":") != std::string::npos, name);
   }
+}
+
+void TestRunComparison::report_isInTheLanguage() {
+  const auto text =
+      readFile(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/lang/core_de.json");
+  VERIFY_OK(text);
+  const auto german = Catalogue::read(*text);
+  VERIFY_OK(german);
+  const Two two(noisyMap(0.02, 1), noisyMap(0.024, 2));
+  const RunComparison comparison = two.comparison();
+  VERIFY_OK(writeComparison(comparison, two.folder.path("c"), *german));
+  const std::string report = readFile(two.folder.path("c/report.html")).value();
+  for (const char* words : {"Was sich geändert hat", "Über die 95-%-Intervalle hinaus geändert:", "im Mittel",
+                            "Haftreibung, rechtsherum", "früher, linksherum", "jenseits der Intervalle"})
+    QVERIFY2(report.find(words) != std::string::npos, words);
+  for (const char* words : {"changed", "Changed", "before<", "on average", "earlier", "clockwise", "interval of"})
+    QVERIFY2(report.find(words) == std::string::npos, words);
+  QVERIFY(readFile(two.folder.path("c/comparison.json"))->find("Changed beyond") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestRunComparison)
