@@ -26,12 +26,15 @@ const std::set<std::string>& wordsOf(const std::string& form) {
   return form == "matlab" ? matlab : form == "modelica" ? modelica : none;
 }
 
-/// Names that the program gives beside its own; of C they have a prefix, and of Python they stand in the file.
+/// Names that the program gives beside its own, variables among them, which would hide a class.
 std::set<std::string> namesIn(const Model& model) {
-  std::set<std::string> names{"start", "pick", "State", "Sampled", "Real"};
+  std::set<std::string> names{"start", "pick", "State", "Sampled", "Real", "s", "before", "dt_s"};
   std::vector<LeftOut> leftOut;
   const Program program = programOf(model, leftOut);
-  for (const Function& one : program.functions) names.insert(one.name);
+  for (const Function& one : program.functions) {
+    names.insert(one.name);
+    for (const auto& more : {one.arguments, one.outputs, one.locals()}) names.insert(more.begin(), more.end());
+  }
   for (const Constant& one : program.constants) names.insert(one.name);
   return names;
 }

@@ -47,7 +47,7 @@ void TestExportCommand::command_writesSaysAndRefuses() {
   QCOMPARE(exported("--model m.json --as matlab --out axis_3.m").status, 0);
   QVERIFY(content("axis_3.m").startsWith("classdef axis_3\n"));
   // Names that the language or the program itself has are none for a class.
-  for (const char* taken : {"friction.m", "while.m", "inertia.m", "3.m"}) {
+  for (const char* taken : {"friction.m", "while.m", "inertia_kg_m2.m", "s.m", "drive.m", "3.m"}) {
     done = exported(QString("--model m.json --as matlab --out ") + taken);
     QVERIFY2(content(taken).startsWith("classdef breakaway\n") && done.out.contains("keep it as breakaway.m"), taken);
   }
