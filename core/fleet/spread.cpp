@@ -94,6 +94,7 @@ std::vector<StandsOut> outliersFirst(const std::vector<FleetEntry>& entries, con
   for (size_t k = 0; k < order.size(); ++k) order[k].entry = k;
   for (const FleetColumn& column : columns) {
     for (size_t k = 0; k < column.entries.size(); ++k) {
+      if (!entries[column.entries[k]].error.empty()) continue;
       StandsOut& one = order[column.entries[k]];
       const double distance = column.distance(column.values[k]);
       if (std::abs(distance) <= std::abs(one.distance)) continue;

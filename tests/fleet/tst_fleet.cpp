@@ -236,7 +236,12 @@ void TestFleet::histogram_countsEveryEntry() {
     const Figure figure = spreadFigure(column);
     const Curve& bars = figure.curves[0];
     double sum = 0.0;
-    for (size_t k = 0; k < bars.y.size(); k += 2) sum += bars.y[k];
+    for (size_t k = 0; k < bars.y.size(); k += 5) {
+      sum += bars.y[k + 1];
+      // Each bar stands by itself: what is filled between two of different heights isn't slanted.
+      QVERIFY(bars.x[k] == bars.x[k + 1] && bars.y[k] == 0.0 && bars.y[k + 2] == bars.y[k + 1]);
+      QVERIFY(bars.x[k + 2] > bars.x[k + 1] && std::isnan(bars.x[k + 4]));
+    }
     QCOMPARE(sum + static_cast<double>(beyondSpread(column)), 201.0);
     QCOMPARE(beyondSpread(column), size_t{odd > 1.0 ? 1U : 0U});
   }
@@ -352,6 +357,10 @@ void TestFleet::maps_lieOverTheFleet() {
   QCOMPARE(position.x.back(), 360.0);
   QVERIFY(summaryPage(entries).find("Friction maps") != std::string::npos);
   QVERIFY(mapFigures({entries[0], entries[7]}).empty());
+
+  // What ended in an error stands out by nothing, whatever its map says.
+  entries[2].error = "none";
+  for (const StandsOut& one : outliersFirst(entries, columns)) QVERIFY(one.entry != 2 || one.parameter.empty());
 
   FrictionMap linear = mapOf(3.0, 20);
   linear.axis = Axis::linear;
