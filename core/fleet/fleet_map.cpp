@@ -24,8 +24,9 @@ std::vector<double> aroundTurn(const FrictionMap& map, const ValueOf& valueOf) {
   std::vector<double> curve;
   curve.reserve(mapPlaces);
   for (size_t k = 0; k < mapPlaces; ++k) {
-    const double at = (placeOf(k) - map.bins.front().angle_rad) / turn_rad * count, from = std::floor(at);
-    const auto bin = static_cast<size_t>(from + count) % map.bins.size();
+    const double turns = (placeOf(k) - map.bins.front().angle_rad) / turn_rad;
+    const double at = (turns - std::floor(turns)) * count, from = std::floor(at);
+    const auto bin = static_cast<size_t>(from) % map.bins.size();
     const double value = valueOf(map.bins[bin]), next = valueOf(map.bins[(bin + 1) % map.bins.size()]);
     curve.push_back(value + (at - from) * (next - value));
   }
