@@ -74,16 +74,26 @@ Result<std::vector<const BatchEntry*>> heldBy(const BatchLine& line, const std::
   return held;
 }
 
+/// The results of a batch with and without Slurm.
+std::vector<std::string> allResultsOf(const SlurmJob& job) {
+  std::vector<std::string> files{job.out};
+  for (size_t task = 1; task <= tasksOf(job); ++task) files.push_back(resultsOf(job, std::to_string(task)));
+  return files;
+}
+
 Result<Answer> writeSlurm(const BatchLine& line, const std::vector<BatchEntry>& entries) {
   if (line.manifest == "-" || line.out == "-" || line.shard != "1/1")
     return Error{"--slurm", "expected a manifest and results that are files, and no --shard: each task has its own"};
   const SlurmJob job{line.manifest, line.out, line.reports, entries.size(), line.tasks, line.jobs};
   if (auto good = checkOutput(line.slurm, inputsOf(line, entries)); !good) return good.error();
+  if (!checkOutput(line.slurm, allResultsOf(job)))
+    return Error{line.slurm, "holds results, expected another file for the script"};
   if (auto written = writeFile(line.slurm, slurmScript(job)); !written) return written.error();
   const size_t tasks = tasksOf(job);
   const Json json{{"out", line.slurm}, {"entries", entries.size()}, {"tasks", tasks}, {"results", resultsOf(job, "*")}};
-  return Answer{"Submit it: sbatch " + line.slurm + "\nResults: " + resultsOf(job, "*") + "\n" + line.slurm + ": " +
-                    std::to_string(entries.size()) + " entries in " + std::to_string(tasks) + " tasks\n",
+  return Answer{"Submit it: " + asCommand({"sbatch", line.slurm}) + "\nResults: " + resultsOf(job, "*") + "\n" +
+                    line.slurm + ": " + std::to_string(entries.size()) + " entries in " + std::to_string(tasks) +
+                    " tasks\n",
                 asText(json)};
 }
 

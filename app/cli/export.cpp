@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <optional>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
@@ -11,6 +11,7 @@
 #include "export/gains.h"
 #include "export/model_export.h"
 #include "export/portable/program.h"
+#include "export/program_name.h"
 #include "friction/map_export.h"
 #include "recording/csv.h"
 
@@ -58,23 +59,31 @@ Result<Answer> exportedMap(const ExportLine& line) {
   return Answer{line.out + ": " + std::to_string(map->bins.size()) + " bins\n", asText(json)};
 }
 
-/// The output's own name where all languages take it for one, else the program's. C has no names but by prefix.
-std::string nameFor(const ExportLine& line) {
-  static const std::set<std::string> taken{"model", "package",   "block", "record", "function", "class",
-                                           "type",  "connector", "end",   "within", "import",   "if"};
+/// The output's own name where that may be one, else the program's. C has no names but by prefix.
+std::string nameFor(const ExportLine& line, const Model& model) {
   if (!line.name.empty()) return line.name;
   const std::string stem = std::filesystem::path(line.out).stem().string();
-  return line.form != "c" && isIdentifier(stem) && !taken.contains(stem) ? stem : "breakaway";
+  return line.form != "c" && !nameFault(model, line.form, stem) ? stem : "breakaway";
+}
+
+/// What has to be said of a file whose language finds it by its name.
+void noteOnFile(const ExportLine& line, const std::string& name, std::vector<std::string>& notes) {
+  const std::filesystem::path path(line.out);
+  if (line.out == "-") return;
+  if (line.form == "matlab" && path.filename() != name + ".m")
+    notes.push_back("MATLAB finds the class only in a file of its name: keep it as " + name + ".m.");
+  if (line.form == "python" && (path.extension() != ".py" || !isIdentifier(path.stem().string())))
+    notes.emplace_back("Python imports it only from a file like motor.py, of letters, digits and _.");
 }
 
 Result<Answer> exportedModel(const ExportLine& line) {
   if (auto good = checkForm(line.form, modelForms()); !good) return good.error();
-  if (!line.name.empty() && !isIdentifier(line.name))
-    return Error{"--name", "is \"" + line.name + "\", expected letters, digits and _, a letter first"};
   if (auto good = checkOutput(line.out, {line.model, line.recording}); !good) return good.error();
   const auto model = readModel(line.model);
   if (!model) return model.error();
-  ModelExportOptions options{.model = line.model, .name = nameFor(line)};
+  if (const auto fault = line.name.empty() ? std::nullopt : nameFault(*model, line.form, line.name))
+    return Error{"--name", "is \"" + line.name + "\", " + *fault};
+  ModelExportOptions options{.model = line.model, .name = nameFor(line, *model)};
   std::vector<Recording> recordings;
   if (!line.recording.empty()) {
     auto read = readRecordings({line.recording});
@@ -82,12 +91,13 @@ Result<Answer> exportedModel(const ExportLine& line) {
     recordings = std::move(*read);
     options.recording = &recordings.front();
   }
-  const auto done = exportModel(*model, line.form, options);
+  auto done = exportModel(*model, line.form, options);
   if (!done) {
     const bool ofRecording = options.recording != nullptr && done.error().place.starts_with(line.recording);
     return ofRecording ? done.error() : Error{line.model + ", " + done.error().place, done.error().fact};
   }
   if (auto written = writeFile(line.out, done->text); !written) return written.error();
+  noteOnFile(line, options.name, done->notes);
   std::string words;
   for (const std::string& note : done->notes) words += note + "\n";
   const nlohmann::ordered_json json{{"out", line.out}, {"form", line.form}, {"notes", done->notes}};

@@ -11,9 +11,11 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "fleet/fleet_map.h"
 #include "fleet/spread.h"
 #include "fleet/summary_csv.h"
 #include "fleet/summary_page.h"
+#include "friction/map_export.h"
 
 namespace breakaway::cli {
 
@@ -24,12 +26,13 @@ namespace fs = std::filesystem;
 
 struct SummaryLine {
   std::vector<std::string> results;
-  std::string out, form;
+  std::string out, form, maps;
 };
 
 struct Fleet {
   std::vector<FleetEntry> entries;
   std::vector<std::string> cutShort;  ///< files whose last line was being written
+  size_t repeated = 0;                ///< results that stood there twice, and count once
 };
 
 Result<std::string> formOf(const SummaryLine& line) {
@@ -49,6 +52,21 @@ std::string wayBetween(const std::string& out, const std::string& results) {
   return there.parent_path().lexically_relative(out == "-" ? here : here.parent_path()).string();
 }
 
+/// The friction map that each entry's field `field` names, a path from the folder of its results; entries without one
+/// have none.
+Result<void> readMaps(std::vector<FleetEntry>& entries, const std::string& field, const std::string& results) {
+  const fs::path folder = results == "-" ? fs::path() : fs::path(results).parent_path();
+  for (FleetEntry& entry : entries) {
+    const auto path = std::find_if(entry.further.begin(), entry.further.end(),
+                                   [&field](const auto& one) { return one.first == field; });
+    if (path == entry.further.end() || path->second.empty()) continue;
+    const auto map = readMap((folder / path->second).string());
+    if (!map) return Error{results + ", entry " + entry.id + ": " + map.error().place, map.error().fact};
+    addMap(entry, *map);
+  }
+  return {};
+}
+
 Result<Fleet> readAll(const SummaryLine& line) {
   Fleet fleet;
   for (const std::string& path : line.results) {
@@ -56,9 +74,13 @@ Result<Fleet> readAll(const SummaryLine& line) {
     if (!text) return text.error();
     auto read = readFleet(*text, path, wayBetween(line.out, path));
     if (!read) return read.error();
+    if (!line.maps.empty()) {
+      if (auto maps = readMaps(read->entries, line.maps, path); !maps) return maps.error();
+    }
     if (read->cutShort) fleet.cutShort.push_back(path);
     std::move(read->entries.begin(), read->entries.end(), std::back_inserter(fleet.entries));
   }
+  fleet.repeated = leaveOutRepeated(fleet.entries);
   return fleet;
 }
 
@@ -73,9 +95,16 @@ Answer answerOf(const SummaryLine& line, const Fleet& fleet) {
         {{"id", fleet.entries[one.entry].id}, {"parameter", one.parameter}, {"deviations", one.distance}});
   }
   json["cut_short"] = fleet.cutShort;
+  json["repeated"] = fleet.repeated;
+  const size_t several = idsWithSeveral(fleet.entries);
+  json["ids_with_several"] = several;
   std::string words;
   for (const std::string& path : fleet.cutShort)
     words += path + ": its last line has no end, and is left out; batch does that entry again\n";
+  if (fleet.repeated > 0)
+    words += fmt::format("Results that stand there more than once, and count once: {}\n", fleet.repeated);
+  if (several > 0)
+    words += fmt::format("Ids with several results, of different runs, all of which count: {}\n", several);
   const size_t apart = json["stand_out"].size();
   if (apart > 0)
     words += fmt::format("Furthest from the others: {}, {} by {:.1f} robust deviations\n",
@@ -108,9 +137,14 @@ void addSummary(CLI::App& app, Job& chosen) {
   command->add_option("--out", line->out, "file to write, NAME.html or NAME.csv; - is standard output")->required();
   command->add_option("--as", line->form, "the form, where the name of the file doesn't say it; csv to standard output")
       ->check(CLI::IsMember({"html", "csv"}));
+  command->add_option(
+      "--maps", line->maps,
+      "field of the list's entries that names their friction maps, map.json, as paths from the folder of "
+      "the results: how these lie over the fleet");
   command->footer(
       "Examples:\n"
       "  breakaway summary results.jsonl --out fleet.html\n"
+      "  breakaway summary results.jsonl --maps map --out fleet.html\n"
       "  breakaway summary results-1.jsonl results-2.jsonl --out fleet.csv\n"
       "  breakaway summary results.jsonl --out - | head");
   command->callback([line, &chosen] { chosen = [line]() -> Outcome { return summarise(*line); }; });

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/forms.h"
 #include "base/made.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/effects/catalogue.h"
@@ -139,7 +140,7 @@ std::string inWords(const Diagnosis& d) {
 
 std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
   using Json = nlohmann::ordered_json;
-  Json json{{"schema", "breakaway.diagnosis/1"}, {"verdict", nameOf(d.verdict)}};
+  Json json{{"schema", diagnosisForm}, {"verdict", nameOf(d.verdict)}};
   json["findings"] = Json::array();
   for (const Finding& finding : d.findings) {
     json["findings"].push_back({{"effect", finding.effect},

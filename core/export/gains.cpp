@@ -131,6 +131,7 @@ Result<std::string> vesc(const TunedGains& gains, const std::string& tuning, con
   lines.set("s_pid_kp", velocity.p * perErpm, "20 (" + pFormula(gains) + ") / (l_current_max pole pairs 60/(2 pi))");
   lines.set("s_pid_ki", velocity.i * perErpm, "per s, 20 (" + iFormula(gains) + ") / (the same)");
   lines.set("s_pid_kd", velocity.d * perErpm, "s, 20 kd / (the same)");
+  lines.say("Where the speed asked for is below s_pid_min_erpm, 900 as delivered, a VESC lets go of the motor.");
   lines.gap();
   lines.say(
       "Position: errors are degrees (the same file, foc_run_pid_control_pos), of the motor's turn: p_pid_ang_div 1.");
@@ -138,6 +139,9 @@ Result<std::string> vesc(const TunedGains& gains, const std::string& tuning, con
   lines.set("p_pid_kp", position.p * perDegree, "per degree, (kp + g kd) pi/180 / l_current_max");
   lines.set("p_pid_ki", position.i * perDegree, "per degree s, (ki + g kp) pi/180 / l_current_max");
   lines.set("p_pid_kd", position.d * perDegree, "s/degree, (kd + g J/Kt) pi/180 / l_current_max");
+  lines.set("p_pid_kd_proc", 0.0, "s/degree; as delivered it is 0.00035, and adds to p_pid_kd");
+  lines.set("p_pid_gain_dec_angle", 0.0, "degrees; gains fall within it");
+  lines.set("p_pid_ang_div", 1.0, "");
   if (!gains.resistance_ohm || !gains.inductance_H) return lines.text();
   lines.gap();
   lines.say(

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/forms.h"
 #include "base/json_text.h"
 
 namespace breakaway {
@@ -71,8 +72,12 @@ class Line {
   std::string place_;
 };
 
+std::string asQuoted(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string asWords(const Json& json) {
-  return json.is_string() ? json.get<std::string>() : json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.is_string() ? json.get<std::string>() : asQuoted(json);
 }
 
 FleetFit fitOf(Line& line, const Json& diagnosis) {
@@ -106,6 +111,8 @@ void readDiagnosis(Line& line, const Json& diagnosis, FleetEntry& entry) {
   static const std::set<std::string> verdicts{"nothing_missing", "named", "ambiguous", "outside_catalogue",
                                               "undecided"};
   if (!diagnosis.is_object()) return line.fail("diagnosis", "expected an object");
+  if (const Json form = diagnosis.value("schema", Json(diagnosisForm)); form != diagnosisForm)
+    line.fail("diagnosis.schema", "is " + asQuoted(form) + ", expected " + asQuoted(diagnosisForm));
   entry.verdict = line.text(diagnosis, "verdict", "diagnosis");
   if (!verdicts.contains(entry.verdict))
     line.fail(
@@ -125,12 +132,16 @@ void readDiagnosis(Line& line, const Json& diagnosis, FleetEntry& entry) {
   entry.fit = fitOf(line, diagnosis);
 }
 
-/// When it was made, where it says so.
-std::string madeAt(const Json& object) {
+/// When it was made, and by which run, where it says so.
+void readMade(const Json& object, FleetEntry& entry) {
   const auto made = object.find("made");
-  if (made == object.end() || !made->is_object()) return {};
-  const auto at = made->find("at");
-  return at != made->end() && at->is_string() ? at->get<std::string>() : std::string();
+  if (made == object.end() || !made->is_object()) return;
+  const auto text = [&made](const char* name) {
+    const auto it = made->find(name);
+    return it != made->end() && it->is_string() ? it->get<std::string>() : std::string();
+  };
+  entry.at = text("at");
+  entry.run = text("run");
 }
 
 std::string reportFrom(const std::string& report, const std::string& folder) {
@@ -150,10 +161,10 @@ Result<FleetEntry> readEntry(std::string_view text, const std::string& place, co
   if (id != nullptr) entry.id = asWords(*id);
   if (json.contains("diagnosis")) {
     readDiagnosis(line, json["diagnosis"], entry);
-    entry.at = madeAt(json["diagnosis"]);
+    if (json["diagnosis"].is_object()) readMade(json["diagnosis"], entry);
   } else if (json.contains("error")) {
     entry.verdict = "error";
-    entry.at = madeAt(json);
+    readMade(json, entry);
     if (!json["error"].is_string()) line.fail("error", "expected a text");
     if (json["error"].is_string()) entry.error = json["error"].get<std::string>();
   } else {
@@ -191,6 +202,21 @@ Result<FleetText> readFleet(std::string_view text, const std::string& path, cons
   }
   fleet.cutShort = from < text.size();
   return fleet;
+}
+
+size_t leaveOutRepeated(std::vector<FleetEntry>& entries) {
+  std::set<std::pair<std::string, std::string>> there;
+  return std::erase_if(entries, [&there](const FleetEntry& entry) {
+    return !entry.run.empty() && !there.emplace(entry.id, entry.run).second;
+  });
+}
+
+size_t idsWithSeveral(const std::vector<FleetEntry>& entries) {
+  std::set<std::string> there, several;
+  for (const FleetEntry& entry : entries) {
+    if (!there.insert(entry.id).second) several.insert(entry.id);
+  }
+  return several.size();
 }
 
 std::optional<double> daysOf(const std::string& at) {

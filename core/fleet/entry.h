@@ -23,6 +23,11 @@ struct FleetFinding {
   FleetParameters parameters;
 };
 
+/// A rotor's friction map in Nm at as many angles from the encoder's index as each, evenly around the turn.
+struct MapCurves {
+  std::vector<double> staticCw_Nm, staticCcw_Nm, coulombCw_Nm, coulombCcw_Nm, position_Nm;
+};
+
 /// What held-out data says of the model, in the unit of the channel.
 struct FleetFit {
   std::string channel;
@@ -35,9 +40,11 @@ struct FleetEntry {
   std::string error;    ///< one line; then there is no diagnosis
   std::string verdict;  ///< nothing_missing, named, …; "error" where it ended in one
   std::vector<FleetFinding> findings;
-  FleetParameters parameters;  ///< the base's, and "wander_rms_Nm" (without an interval)
+  FleetParameters parameters;  ///< the base's, "wander_rms_Nm" (without an interval), and what addMap() adds
   std::optional<FleetFit> fit;
+  std::optional<MapCurves> map;
   std::string at;      ///< ISO 8601: the field `date` of the line, or else when it was diagnosed; may be empty
+  std::string run;     ///< which run of a batch it is from; may be empty
   std::string report;  ///< a path from the page's folder, or an address; may be empty
   std::vector<std::pair<std::string, std::string>> further;  ///< of the manifest, as text
 
@@ -51,8 +58,15 @@ struct FleetText {
 };
 
 /// Reads results of a batch, one JSON object a line. `path` stands in errors. Relative reports lead from `reportsFrom`.
-/// Errors, by line and field: no JSON, no result, a field that is missing or of another kind.
+/// Errors, by line and field: no JSON, no result, a diagnosis in another form (of a later version), a field that is
+/// missing or of another kind.
 Result<FleetText> readFleet(std::string_view text, const std::string& path, const std::string& reportsFrom = {});
+
+/// Leaves out what stands there twice, as the same id from the same run; how many.
+size_t leaveOutRepeated(std::vector<FleetEntry>& entries);
+
+/// How many ids have several results.
+size_t idsWithSeveral(const std::vector<FleetEntry>& entries);
 
 /// The days from 1970-01-01 to `at`, an ISO 8601 date with or without a time; nothing where it is none.
 std::optional<double> daysOf(const std::string& at);

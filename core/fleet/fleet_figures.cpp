@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "base/statistics.h"
 
@@ -31,6 +33,20 @@ size_t binsOf(const FleetColumn& column, double range) {
   const double width =
       2.0 * (column.quantileOf(0.75) - column.quantileOf(0.25)) / std::cbrt(static_cast<double>(column.values.size()));
   return static_cast<size_t>(width > 0.0 ? std::clamp(std::ceil(range / width), fewestBins, mostBins) : fewestBins);
+}
+
+/// A bar of its own: up, along, down, and a gap, which parts what is filled from the next one's.
+void addBar(Curve& bars, double from, double width, double height) {
+  for (const auto& [x, y] : {std::pair(from, 0.0),
+                             {from, height},
+                             {from + width, height},
+                             {from + width, 0.0},
+                             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}}) {
+    bars.x.push_back(x);
+    bars.y.push_back(y);
+    bars.low.push_back(0.0);
+    bars.high.push_back(height);
+  }
 }
 
 /// What lies where on the axis of dates.
@@ -67,14 +83,7 @@ Figure spreadFigure(const FleetColumn& column) {
     apart.x.push_back(one.value);
     apart.y.push_back(0.0);
   }
-  for (size_t k = 0; k < bins; ++k) {
-    for (const size_t edge : {k, k + 1}) {
-      bars.x.push_back(from + width * static_cast<double>(edge));
-      bars.y.push_back(counts[k]);
-      bars.low.push_back(0.0);
-      bars.high.push_back(counts[k]);
-    }
-  }
+  for (size_t k = 0; k < bins; ++k) addBar(bars, from + width * static_cast<double>(k), width, counts[k]);
   Figure figure{.title = column.name, .xLabel = column.name, .yLabel = "entries", .curves = {std::move(bars)}};
   if (!apart.x.empty()) figure.curves.push_back(std::move(apart));
   return figure;

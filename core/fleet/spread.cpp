@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "base/statistics.h"
@@ -9,6 +10,9 @@
 namespace breakaway {
 
 namespace {
+
+/// How the names of numbers begin that come without an interval: wander_rms_Nm, map_static_friction_N, …
+constexpr const char* withoutInterval[] = {"wander_", "map_static_", "map_position_"};
 
 /// Columns in the order in which their names come.
 class Columns {
@@ -35,7 +39,8 @@ double medianOf(std::vector<double> values) {
 }
 
 void measure(FleetColumn& column) {
-  column.intervals = !column.name.starts_with("wander_");
+  column.intervals = std::none_of(std::begin(withoutInterval), std::end(withoutInterval),
+                                  [&column](const char* name) { return column.name.starts_with(name); });
   std::vector<double> values;
   values.reserve(column.values.size());
   for (const FleetValue& one : column.values) values.push_back(one.value);
@@ -89,6 +94,7 @@ std::vector<StandsOut> outliersFirst(const std::vector<FleetEntry>& entries, con
   for (size_t k = 0; k < order.size(); ++k) order[k].entry = k;
   for (const FleetColumn& column : columns) {
     for (size_t k = 0; k < column.entries.size(); ++k) {
+      if (!entries[column.entries[k]].error.empty()) continue;
       StandsOut& one = order[column.entries[k]];
       const double distance = column.distance(column.values[k]);
       if (std::abs(distance) <= std::abs(one.distance)) continue;

@@ -19,7 +19,7 @@ struct FleetColumn {
   std::string name;                     ///< with its unit; of a finding's "EFFECT.PARAMETER"
   std::vector<size_t> entries = {};     ///< that have it
   std::vector<FleetValue> values = {};  ///< theirs, in the same order
-  bool intervals = true;                ///< false: of what wanders, which has none
+  bool intervals = true;                ///< false: of what wanders and of maps' means, which have none
   double median = 0.0;
   /// 1.4826 times the median distance from the median; where that is 0, 1.2533 times the mean distance.
   double deviation = 0.0;

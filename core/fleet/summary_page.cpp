@@ -9,6 +9,7 @@
 
 #include "draw/html_report.h"
 #include "fleet/fleet_figures.h"
+#include "fleet/fleet_map.h"
 #include "fleet/fleet_table.h"
 #include "fleet/spread.h"
 
@@ -118,6 +119,17 @@ void addTrend(HtmlReport& page, const std::vector<FleetEntry>& entries, const st
   page.raw("</div>\n");
 }
 
+void addMaps(HtmlReport& page, const std::vector<FleetEntry>& entries) {
+  const std::vector<Figure> figures = mapFigures(entries);
+  if (figures.empty()) return;
+  page.heading("Friction maps");
+  page.paragraph(
+      "Around the rotor, from the encoder's index: the median of the maps with the middle half of them as a band.");
+  page.raw("<div class=\"figures\">\n");
+  for (const Figure& one : figures) page.figure(one, "", small_px, smallHeight_px);
+  page.raw("</div>\n");
+}
+
 void addFindings(HtmlReport& page, const std::vector<FleetEntry>& entries) {
   std::map<std::string, size_t> counts;
   for (const FleetEntry& entry : entries) {
@@ -172,6 +184,7 @@ std::string summaryPage(const std::vector<FleetEntry>& entries) {
       "findings take away.");
   page.raw(fleetTable(entries, columns, order));
   addSpread(page, columns);
+  addMaps(page, entries);
   addFindings(page, entries);
   addTrend(page, entries, columns);
   addErrors(page, entries);

@@ -117,19 +117,25 @@ Result<std::string> headerText(const FrictionMap& map) {
   return out + tableFunctions(map) + "#endif\n";
 }
 
-/// A package of constants, each a table of two columns as Modelica.Blocks.Tables.CombiTable1Ds takes it.
+/// A package of constants, each a table of two columns as Modelica.Blocks.Tables.CombiTable1Ds takes it. Its period is
+/// from the first place to the last, so a rotor's tables end where they begin, a turn later (Modelica Standard Library,
+/// Extrapolation.Periodic).
 std::string modelicaText(const FrictionMap& map) {
   const std::string place = nameOn(map.axis, "angle_rad");
   std::string out =
       "// Friction map of " + commentText(map.rig) + ", by " + thisRun().by + ". Each table's first column is " +
       place + ",\n// the second what its name says; for Modelica.Blocks.Tables.CombiTable1Ds" +
-      (map.axis == Axis::rotary ? ", with Extrapolation.Periodic.\n" : ".\n") + "package BreakawayFrictionMap\n";
+      (map.axis == Axis::rotary ? ", with Extrapolation.Periodic" : ", with Extrapolation.HoldLastPoint") +
+      ".\npackage BreakawayFrictionMap\n";
   const auto columns = mapTable(map);
   for (const MapColumn& column : columns) {
     if (!worthTabling(column.name, map.axis)) continue;
-    out += "  constant Real " + column.name + "[" + std::to_string(column.values.size()) + ", 2] = [";
+    const bool closed = map.axis == Axis::rotary && !column.values.empty();
+    out +=
+        "  constant Real " + column.name + "[" + std::to_string(column.values.size() + (closed ? 1 : 0)) + ", 2] = [";
     for (size_t k = 0; k < column.values.size(); ++k)
       out += (k == 0 ? "" : "; ") + exactText(map.bins[k].angle_rad) + ", " + exactText(column.values[k]);
+    if (closed) out += "; " + exactText(map.bins[0].angle_rad + turn_rad) + ", " + exactText(column.values[0]);
     out += "];\n";
   }
   return out + "end BreakawayFrictionMap;\n";

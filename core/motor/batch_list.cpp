@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/forms.h"
 #include "base/json_text.h"
 
 namespace breakaway {
@@ -142,6 +143,12 @@ Result<std::vector<BatchResult>> readBatchResults(const std::vector<std::string>
     const bool diagnosed = json->contains("diagnosis");
     if (!diagnosed && !json->contains("error"))
       return Error{lineOf(path, index), "is no result: it has neither diagnosis nor error"};
+    if (diagnosed && json->at("diagnosis").is_object()) {
+      const Json form = json->at("diagnosis").value("schema", Json(diagnosisForm));
+      if (form != diagnosisForm)
+        return Error{lineOf(path, index) + ", field diagnosis.schema",
+                     "is " + textOf(form) + ", expected \"" + diagnosisForm + "\""};
+    }
     results.push_back({textOf((*json)["id"]), inputsIn(diagnosed ? (*json)["diagnosis"] : *json)});
   }
   return results;

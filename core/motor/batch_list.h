@@ -39,7 +39,7 @@ struct BatchResult {
   bool restsOnGone(const std::vector<std::string>& today) const;
 };
 
-/// Reads lines of results. Errors, by line of `path`: no result.
+/// Reads lines of results. Errors, by line of `path`: no result, a diagnosis in another form (of a later version).
 Result<std::vector<BatchResult>> readBatchResults(const std::vector<std::string>& lines, const std::string& path);
 
 }  // namespace breakaway

@@ -46,6 +46,15 @@ void TestExportCommand::command_writesSaysAndRefuses() {
   QVERIFY(done.status == 0 && done.out.contains("breakaway_step") && done.out.contains("All of the model's effects"));
   QCOMPARE(exported("--model m.json --as matlab --out axis_3.m").status, 0);
   QVERIFY(content("axis_3.m").startsWith("classdef axis_3\n"));
+  // Names that the language or the program itself has are none for a class.
+  for (const char* taken : {"friction.m", "while.m", "inertia_kg_m2.m", "s.m", "drive.m", "3.m"}) {
+    done = exported(QString("--model m.json --as matlab --out ") + taken);
+    QVERIFY2(content(taken).startsWith("classdef breakaway\n") && done.out.contains("keep it as breakaway.m"), taken);
+  }
+  QCOMPARE(exported("--model m.json --as modelica --out load.mo").status, 0);
+  QVERIFY(content("load.mo").contains("\npackage breakaway\n"));
+  QVERIFY(exported("--model m.json --as python --out my-motor.py").out.contains("Python imports it only from"));
+  QVERIFY(!exported("--model m.json --as python --out motor.py").out.contains("Python imports"));
   QCOMPARE(exported("--model m.json --as c --name left --out left.h").status, 0);
   QVERIFY(content("left.h").contains("left_state left_start("));
 
@@ -55,6 +64,9 @@ void TestExportCommand::command_writesSaysAndRefuses() {
     QVERIFY2(outcome.status == 2 && outcome.err.count('\n') == 1 && outcome.err.contains(line), about.constData());
     QVERIFY2(!QFile::exists(QString::fromStdString(folder.path("none"))), about.constData());
   };
+  refused("--model m.json --as modelica --name while", "--name: is \"while\", which the language keeps for itself");
+  refused("--model m.json --as matlab --name friction",
+          "--name: is \"friction\", which is the name of something in it");
   folder.write("bench.json", R"({"schema": "breakaway.bench/1"})");
   folder.write("lacking.json", R"({"schema": "breakaway.model/1", "axis": "rotary", "input": "current_A"})");
   folder.write("odd.json", R"({"schema": "breakaway.model/1", "axis": "rotary", "input": "current_A",

@@ -104,6 +104,7 @@ void TestExportGains::eachBoard_getsItsUnits() {
   QVERIFY(near(valueOf(vesc, "p_pid_kp") * 180.0 / pi * 4.0, 2.4 + 183.0 * 0.09));
   QVERIFY(near(valueOf(vesc, "p_pid_ki") * 180.0 / pi * 4.0, 183.0 * 2.4));
   QVERIFY(near(valueOf(vesc, "p_pid_kd") * 180.0 / pi * 4.0, 0.09 + 183.0 * 6e-5 / 0.07));
+  QCOMPARE(valueOf(vesc, "p_pid_kd_proc"), 0.0);  // what it is delivered with would add to the damping
   QVERIFY(near(valueOf(vesc, "foc_current_kp"), 300.0 * 0.0011));
   QVERIFY(near(valueOf(vesc, "l_current_max"), 4.0) && near(valueOf(vesc, "si_motor_poles"), 14.0));
 }

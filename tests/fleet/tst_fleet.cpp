@@ -4,6 +4,7 @@
 
 #include "fleet/fleet_figures.h"
 #include "fleet/fleet_lines.h"
+#include "fleet/fleet_map.h"
 #include "fleet/fleet_table.h"
 #include "fleet/spread.h"
 #include "fleet/summary_csv.h"
@@ -36,6 +37,7 @@ class TestFleet : public QObject {
   void pageData_holdsAllRows();
   void texts_breakOutOfNothing();
   void largeFleet_staysLean();
+  void maps_lieOverTheFleet();
   void emptyFleet_isAPage();
 };
 
@@ -71,6 +73,8 @@ void TestFleet::lineThatIsNoResult_isNamed_data() {
   };
   changed("no verdict", "verdict", QJsonValue::Undefined, ", field diagnosis.verdict: is missing");
   changed("verdict unheard of", "verdict", "good", ", field diagnosis.verdict: expected nothing_missing, named,");
+  changed("of a later version", "schema", "breakaway.diagnosis/2",
+          ", field diagnosis.schema: is \"breakaway.diagnosis/2\", expected \"breakaway.diagnosis/1\"");
   changed("no base", "base", QJsonValue::Undefined, ", field diagnosis.base: is missing");
   changed("base without interval", "base", QJsonObject{{"coulomb_Nm", QJsonObject{{"value", 1.0}}}},
           ", field diagnosis.base.coulomb_Nm.ci95: is missing");
@@ -232,7 +236,12 @@ void TestFleet::histogram_countsEveryEntry() {
     const Figure figure = spreadFigure(column);
     const Curve& bars = figure.curves[0];
     double sum = 0.0;
-    for (size_t k = 0; k < bars.y.size(); k += 2) sum += bars.y[k];
+    for (size_t k = 0; k < bars.y.size(); k += 5) {
+      sum += bars.y[k + 1];
+      // Each bar stands by itself: what is filled between two of different heights isn't slanted.
+      QVERIFY(bars.x[k] == bars.x[k + 1] && bars.y[k] == 0.0 && bars.y[k + 2] == bars.y[k + 1]);
+      QVERIFY(bars.x[k + 2] > bars.x[k + 1] && std::isnan(bars.x[k + 4]));
+    }
     QCOMPARE(sum + static_cast<double>(beyondSpread(column)), 201.0);
     QCOMPARE(beyondSpread(column), size_t{odd > 1.0 ? 1U : 0U});
   }
@@ -303,6 +312,62 @@ void TestFleet::largeFleet_staysLean() {
     text += lineOf(resultOf("axis " + QString::number(k), diagnosisOf(scatter(random), 1e-3)));
   const std::string page = summaryPage(read(text).entries);
   QVERIFY2(page.size() > 300'000 && page.size() < 1'000'000, qPrintable(QString::number(page.size())));
+}
+
+/// A rotor's map of `bins` bins whose static friction is `level_Nm`, with position torque of one wave a turn.
+static FrictionMap mapOf(double level_Nm, size_t bins) {
+  FrictionMap map;
+  map.coulombAverage_Nm = {0.8 * level_Nm, 1e-4};
+  map.viscousAverage_Nm_s_per_rad = {2e-5, 1e-6};
+  for (size_t k = 0; k < bins; ++k) {
+    MapBin bin;
+    bin.angle_rad = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins);
+    const double wave_Nm = 1e-3 * std::cos(bin.angle_rad);
+    bin.way[0].static_Nm.value = level_Nm + wave_Nm;
+    bin.way[1].static_Nm.value = level_Nm - wave_Nm;
+    map.bins.push_back(bin);
+  }
+  return map;
+}
+
+void TestFleet::maps_lieOverTheFleet() {
+  auto entries = read(fleetWithOne(0.02, 1e-3, 10)).entries;
+  for (size_t k = 0; k < 6; ++k)
+    addMap(entries[k], mapOf(k == 2 ? 0.03 : 0.02 + 1e-5 * static_cast<double>(k), 60 + 30 * k));
+  const auto columns = baseColumns(entries);
+  const auto column = [&columns](const char* name) {
+    const auto it = std::find_if(columns.begin(), columns.end(), [name](const auto& one) { return one.name == name; });
+    if (it == columns.end()) qFatal("no column %s", name);
+    return *it;
+  };
+  QCOMPARE(column("map_static_friction_Nm").values.size(), size_t{6});
+  QVERIFY(std::abs(column("map_static_friction_Nm").values[0].value - 0.02) < 1e-9);
+  QVERIFY(std::abs(column("map_position_torque_Nm").values[0].value - 1e-3) < 2e-6);
+  QVERIFY(column("map_coulomb_Nm").intervals && !column("map_position_torque_Nm").intervals);
+  const StandsOut first = outliersFirst(entries, columns).front();
+  QVERIFY(first.entry == 2 && QString::fromStdString(first.parameter).startsWith("map_"));
+
+  const auto figures = mapFigures(entries);
+  QCOMPARE(figures.size(), size_t{3});
+  const Curve& position = figures[2].curves[0];
+  for (size_t k = 0; k < position.x.size(); ++k) {
+    QVERIFY(std::abs(position.y[k] - 1e-3 * std::cos(position.x[k] / 360.0 * turn_rad)) < 5e-6);
+    QVERIFY(position.low[k] <= position.y[k] && position.y[k] <= position.high[k]);
+  }
+  QCOMPARE(position.x.back(), 360.0);
+  QVERIFY(summaryPage(entries).find("Friction maps") != std::string::npos);
+  QVERIFY(mapFigures({entries[0], entries[7]}).empty());
+
+  // What ended in an error stands out by nothing, whatever its map says.
+  entries[2].error = "none";
+  for (const StandsOut& one : outliersFirst(entries, columns)) QVERIFY(one.entry != 2 || one.parameter.empty());
+
+  FrictionMap linear = mapOf(3.0, 20);
+  linear.axis = Axis::linear;
+  FleetEntry slide;
+  addMap(slide, linear);
+  QVERIFY(!slide.map && slide.parameters[0].first == "map_static_friction_N");
+  QCOMPARE(slide.parameters[3].first, std::string("map_viscous_N_s_per_m"));
 }
 
 void TestFleet::emptyFleet_isAPage() {

@@ -2,7 +2,9 @@
 #include <QStandardPaths>
 #include <QTest>
 
+#include "base/numbers.h"
 #include "fleet/fleet_lines.h"
+#include "friction/map_export.h"
 #include "house/program.h"
 #include "support/temporary.h"
 
@@ -16,6 +18,8 @@ class TestSummary : public QObject {
   void form_followsTheName();
   void reports_leadFromThePage();
   void severalResults_areOneFleet();
+  void resultThatStandsThereTwice_countsOnce();
+  void maps_areReadFromTheResultsFolder();
   void cutLastLine_isSaid();
   void wrongInput_leavesNothing_data();
   void wrongInput_leavesNothing();
@@ -69,6 +73,49 @@ void TestSummary::severalResults_areOneFleet() {
   QCOMPARE(summary("r.jsonl s.jsonl --out f.csv").status, 0);
   QCOMPARE(content("f.csv").count('\n'), 23);
   QVERIFY(content("f.csv").contains("\nlast,"));
+}
+
+void TestSummary::resultThatStandsThereTwice_countsOnce() {
+  const auto of = [](const char* run) {
+    QJsonObject diagnosis = diagnosisOf(0.02, 1e-3);
+    diagnosis["made"] = QJsonObject{{"at", "2026-03-02T09:14:07Z"}, {"run", run}};
+    return lineOf(resultOf("a", diagnosis));
+  };
+  folder_->write("s.jsonl", of("one"));
+  folder_->write("t.jsonl", of("one") + of("two"));
+  const Outcome outcome = summary("s.jsonl t.jsonl --out f.csv");
+  QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
+  QCOMPARE(content("f.csv").count("\na,"), 2);
+  QVERIFY2(
+      outcome.out.startsWith("Results that stand there more than once, and count once: 1\nIds with several results"),
+      qPrintable(outcome.out));
+  QVERIFY(!summary("s.jsonl --out f.csv").out.contains("more than once"));
+}
+
+void TestSummary::maps_areReadFromTheResultsFolder() {
+  QVERIFY(breakaway::makeFolder(folder_->path("there/maps")));
+  breakaway::FrictionMap map;
+  map.bins.resize(12);
+  for (size_t k = 0; k < 12; ++k) {
+    map.bins[k].angle_rad = breakaway::turn_rad * (static_cast<double>(k) + 0.5) / 12.0;
+    for (auto& way : map.bins[k].way) way.static_Nm.value = 0.0125;
+  }
+  VERIFY_OK(breakaway::exportMap(map, "json", folder_->path("there/maps/a.json")));
+  QJsonObject with = resultOf("a", diagnosisOf(0.02, 1e-3)), gone = with;
+  with["map"] = "maps/a.json";
+  gone["map"] = "maps/b.json";
+  folder_->write("there/r.jsonl", lineOf(with) + lineOf(resultOf("none", diagnosisOf(0.02, 1e-3))));
+  const Outcome outcome = summary("there/r.jsonl --maps map --out f.csv");
+  QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
+  const QStringList lines = content("f.csv").split('\n');
+  const auto at = lines[0].split(',').indexOf("map_static_friction_Nm");
+  QVERIFY(at > 0);
+  QVERIFY(std::abs(lines[1].split(',')[at].toDouble() - 0.0125) < 1e-12 && lines[2].split(',')[at].isEmpty());
+  folder_->write("there/r.jsonl", lineOf(gone));
+  const Outcome lost = summary("there/r.jsonl --maps map --out g.csv");
+  QVERIFY2(
+      lost.status == 2 && lost.err.startsWith("breakaway: there/r.jsonl, entry a: there/maps/b.json: cannot be read"),
+      qPrintable(lost.err));
 }
 
 void TestSummary::cutLastLine_isSaid() {

@@ -127,11 +127,14 @@ void TestMapExport::cHeader_tellsTheTorqueBetweenBins() {
 void TestMapExport::modelica_holdsATableOfEach() {
   test::TemporaryFolder folder;
   const QString text = QString::fromStdString(written(folder, "modelica"));
-  const auto table = QRegularExpression("constant Real static_ccw_Nm\\[12, 2\\] = \\[([^\\]]*)\\];").match(text);
+  const auto table = QRegularExpression("constant Real static_ccw_Nm\\[13, 2\\] = \\[([^\\]]*)\\];").match(text);
   const QStringList rows = table.captured(1).split("; ");
-  QCOMPARE(rows.size(), qsizetype{12});
-  QCOMPARE(rows[11].split(", ")[0].toDouble(), someMap().bins[11].angle_rad);
-  QCOMPARE(rows[11].split(", ")[1].toDouble(), someMap().bins[11].way[1].static_Nm.value);
+  QCOMPARE(rows.size(), qsizetype{13});
+  const auto cell = [&rows](qsizetype row, int column) { return rows[row].split(", ")[column].toDouble(); };
+  QCOMPARE(cell(12, 0) - cell(0, 0), turn_rad);  // what a periodic table takes for its period
+  QCOMPARE(cell(12, 1), cell(0, 1));
+  QCOMPARE(cell(11, 0), someMap().bins[11].angle_rad);
+  QCOMPARE(cell(11, 1), someMap().bins[11].way[1].static_Nm.value);
   QVERIFY(text.contains("package BreakawayFrictionMap\n") && text.endsWith("end BreakawayFrictionMap;\n"));
   QVERIFY(!text.contains("_std_") && !text.contains("*/"));
 }

@@ -35,6 +35,8 @@ class TestBatch : public QObject {
   void killedOften_endsAsUndisturbed();
   void slurmTasks_giveTheWhole();
   void slurmWithoutFiles_isRefused();
+  void slurmScript_isWrittenOverNoResults();
+  void resultsOfALaterVersion_areLeftAlone();
   void reports_areNamedInTheResults();
 
  private:
@@ -344,6 +346,36 @@ void TestBatch::slurmWithoutFiles_isRefused() {
     QVERIFY2(outcome.status == 2 && outcome.err.count('\n') == 1, qPrintable(words + outcome.err));
     QCOMPARE(folder.names(), QStringList{"l.jsonl"});
   }
+}
+
+void TestBatch::slurmScript_isWrittenOverNoResults() {
+  const TemporaryFolder folder;
+  writeLongList(folder, 2);
+  for (const std::string results : {"r.jsonl", "r.2-of-2.jsonl"}) {
+    folder.write(results, R"({"id": "kept", "error": "none"})");
+    const Outcome outcome =
+        batchIn(folder, "l.jsonl --out r.jsonl --tasks 2 --slurm " + QString::fromStdString(results));
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(outcome.err.contains(": holds results, expected another file"), qPrintable(outcome.err));
+    const auto left = breakaway::readFile(folder.path(results));
+    QVERIFY(left && left->find("kept") != std::string::npos);
+  }
+  const Outcome odd = run(builtProgram("breakaway"), {"batch", "l.jsonl", "--out", "r.jsonl", "--slurm", "my fleet.sh"},
+                          QString::fromStdString(folder.path()));
+  QVERIFY2(odd.out.startsWith("Submit it: sbatch 'my fleet.sh'\n"), qPrintable(odd.out));
+}
+
+void TestBatch::resultsOfALaterVersion_areLeftAlone() {
+  const TemporaryFolder folder;
+  writeLongList(folder, 1);
+  const std::string later = "{\"id\":0,\"diagnosis\":{\"schema\":\"breakaway.diagnosis/2\"}}\n";
+  folder.write("r.jsonl", later);
+  const Outcome outcome = batchIn(folder);
+  QCOMPARE(outcome.status, 2);
+  QVERIFY2(outcome.err.startsWith("breakaway: r.jsonl, line 1, field diagnosis.schema: is \"breakaway.diagnosis/2\""),
+           qPrintable(outcome.err));
+  const auto left = breakaway::readFile(folder.path("r.jsonl"));
+  QVERIFY(left && *left == later);
 }
 
 void TestBatch::reports_areNamedInTheResults() {

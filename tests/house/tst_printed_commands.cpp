@@ -96,7 +96,8 @@ void TestPrintedCommands::servesAs(const QString& line) {
 /// With this machine's boards and run, and without what is no program of ours. Only a simulated board can be given a
 /// disc here.
 QString TestPrintedCommands::asHere(QString line) const {
-  return line.replace("serial:ttyACM0 --out disc", "simulated:disc.rig.json --out disc")
+  return line.replace("build/release/bin/", "")
+      .replace("serial:ttyACM0 --out disc", "simulated:disc.rig.json --out disc")
       .replace("serial:ttyACM0 --out bare", "simulated:bare.rig.json --out bare")
       .replace("serial:ttyACM0?pole_pairs", "serial:" + QString::fromStdString(vesc_->path()) + "?pole_pairs")
       .replace("serial:ttyACM0", port_)

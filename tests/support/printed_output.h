@@ -44,7 +44,8 @@ inline QString typedOf(const QString& line) {
 }
 
 inline bool isRunHere(const QString& line) {
-  static const QRegularExpression known("^(breakaway|breakaway-board|zcat|python3) ");
+  static const QRegularExpression known(
+      "^((build/release/bin/)?breakaway(?!.*/dev/pts/N)|breakaway-board|zcat|python3) ");
   return known.match(line).hasMatch();
 }
 
