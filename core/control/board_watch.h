@@ -128,7 +128,9 @@ class BoardWatch {
     return limits_.tick_s > Scalar(0) ? static_cast<long>(duration_s / limits_.tick_s * Scalar(1.000001)) : 0;
   }
 
-  /// Whatever stops a shaft can do so within a tick, but nothing can make it that much faster.
+  /// Whatever stops a shaft can do so within a tick, and what it meets may throw it back no faster than it came; but
+  /// nothing can make it that much faster, nor turn it about in two ticks on end: there the encoder jumped and the
+  /// shaft went on.
   Trip angle(const Seen& seen) {
     const Scalar before = change_rad_;
     const Scalar change = ticks_ > 0 ? seen.angle_rad - angle_rad_ : Scalar(0);
@@ -137,14 +139,17 @@ class BoardWatch {
     // The first change says how fast the shaft was when the board woke up; one that lasts after a jump is motion.
     const bool known = ticks_ > 1 && !jumped_;
     if (ticks_ < 2) ++ticks_;
-    jumped_ =
-        known && exceeds(change, room_rad_) &&
-        (isNegative(change) != isNegative(before) || (exceeds(change, before) && exceeds(change - before, room_rad_)));
+    const bool far = known && exceeds(change, room_rad_), faster = exceeds(change, before);
+    const bool back = far && isNegative(change) != isNegative(before);
+    jumped_ = back ? faster || thrownBack_ : far && faster && exceeds(change - before, room_rad_);
+    const bool wasThrownBack = thrownBack_;
+    thrownBack_ = back && !jumped_;
+    if (thrownBack_) jumped_rad_ = change - before;
     if (!jumped_) {
       change_rad_ = change;
       return Trip::none;
     }
-    jumped_rad_ = change - before;  // what comes next is compared with what was before the jump
+    if (!wasThrownBack) jumped_rad_ = change - before;  // what comes next is compared with what was before the jump
     return Trip::encoderJump;
   }
 
@@ -279,8 +284,8 @@ class BoardWatch {
   Scalar acting_V_ = 0;  ///< since the last tick
   int step_ = 0;         ///< of the round
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
-  int ticks_ = 0;  ///< seen, up to two
-  bool jumped_ = false;
+  int ticks_ = 0;                             ///< seen, up to two
+  bool jumped_ = false, thrownBack_ = false;  ///< in the last tick
 };
 
 }  // namespace breakaway

@@ -46,13 +46,6 @@ DiscreteSystem currentLoop(const ServoLoop& loop, bool cut) {
   return {next.leftCols(states), next.rightCols(1), -out.topLeftCorner(1, states), Eigen::MatrixXd::Zero(1, 1), T};
 }
 
-std::vector<double> rowsWith(double extra, double tick_s) {
-  auto all = decades(lowestPerTick / tick_s, highestPerTick / tick_s, rowCount);
-  const auto near = std::lower_bound(all.begin(), all.end(), extra);
-  if (near == all.end() || std::abs(*near - extra) > 1e-6 * extra) all.insert(near, extra);
-  return all;
-}
-
 class Chooser {
  public:
   Chooser(const ServoLoop& loop, const Estimate& inertia, const Estimate& torqueConstant,
@@ -159,11 +152,11 @@ Result<InnerLoops> Chooser::choose() {
   InnerLoops found;
   found.current = chooseCurrent();
   if (wound()) {
-    for (const double one : rowsWith(boardCurrentBandwidth_rad_per_s(tick_s()), tick_s()))
+    for (const double one : bandwidthsAround(boardCurrentBandwidth_rad_per_s(tick_s()), tick_s(), rowCount))
       found.currentRows.push_back(currentRow(one));
   }
   loop_.board.current.bandwidth_rad_per_s = found.current.bandwidth_rad_per_s;
-  for (const double one : rowsWith(boardVelocityBandwidth_rad_per_s(tick_s()), tick_s())) {
+  for (const double one : bandwidthsAround(boardVelocityBandwidth_rad_per_s(tick_s()), tick_s(), rowCount)) {
     auto row = observerRow(one);
     if (!row) return row.error();
     found.observerRows.push_back(std::move(*row));
