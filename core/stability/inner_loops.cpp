@@ -15,7 +15,7 @@ namespace breakaway {
 namespace {
 
 constexpr double lowestPerTick = 0.02, highestPerTick = 1.0;  // w·T
-constexpr size_t rowCount = 13, yieldFrequencies = 200;
+constexpr size_t yieldFrequencies = 200;
 constexpr double bearable = 1.1;  // of the least yielding
 constexpr double inductanceDoubt = 0.2;
 constexpr double warmer = 1.24;  // copper, 0.0039/K over 60 K
@@ -152,11 +152,11 @@ Result<InnerLoops> Chooser::choose() {
   InnerLoops found;
   found.current = chooseCurrent();
   if (wound()) {
-    for (const double one : bandwidthsAround(boardCurrentBandwidth_rad_per_s(tick_s()), tick_s(), rowCount))
+    for (const double one : bandwidthsAround(boardCurrentBandwidth_rad_per_s(tick_s()), tick_s(), inner_.rows))
       found.currentRows.push_back(currentRow(one));
   }
   loop_.board.current.bandwidth_rad_per_s = found.current.bandwidth_rad_per_s;
-  for (const double one : bandwidthsAround(boardVelocityBandwidth_rad_per_s(tick_s()), tick_s(), rowCount)) {
+  for (const double one : bandwidthsAround(boardVelocityBandwidth_rad_per_s(tick_s()), tick_s(), inner_.rows)) {
     auto row = observerRow(one);
     if (!row) return row.error();
     found.observerRows.push_back(std::move(*row));

@@ -46,9 +46,10 @@ struct InnerLoopOptions {
   double current_rad_per_s = 0.0, observer_rad_per_s = 0.0;  ///< given ones; 0: to be chosen
   bool asBoards = false;                                     ///< what isn't given is as the boards have it
   double supply_V = 0.0;                                     ///< 0: unknown
+  size_t rows = 13;                                          ///< bandwidths that are looked at, at least 2
 };
 
-/// The current loop first, then the speed observer around it, each with 13 bandwidths from 0.02/T to 1/T and the
+/// The current loop first, then the speed observer around it, each with `rows` bandwidths from 0.02/T to 1/T and the
 /// boards' own as rows.
 ///
 /// Current loop: the shaft held, cut at the current's measurement. The largest bandwidth at which the margins of

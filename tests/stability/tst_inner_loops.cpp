@@ -38,7 +38,11 @@ ServoLoop motorLoop() {
   return loop;
 }
 
-InnerLoops chosen(ServoLoop loop, double countsPerRev, InnerLoopOptions inner = {}, double currentNoise_A = 0.018) {
+/// Few rows, for those who look at none of them.
+const InnerLoopOptions few{.rows = 2};
+
+InnerLoops chosen(const ServoLoop& loop, double countsPerRev, const InnerLoopOptions& inner,
+                  double currentNoise_A = 0.018) {
   AutoTuningOptions options;
   options.noise = {roundingRms_rad(2.0 * std::numbers::pi / countsPerRev), currentNoise_A};
   auto found = chooseInnerLoops(loop, {inertia_kg_m2, 0.025 * inertia_kg_m2},
@@ -48,12 +52,12 @@ InnerLoops chosen(ServoLoop loop, double countsPerRev, InnerLoopOptions inner = 
 }
 
 const InnerLoops& fine() {
-  static const InnerLoops found = chosen(motorLoop(), 14400.0);
+  static const InnerLoops found = chosen(motorLoop(), 14400.0, {});
   return found;
 }
 
 const InnerLoops& coarse() {
-  static const InnerLoops found = chosen(motorLoop(), 1024.0);
+  static const InnerLoops found = chosen(motorLoop(), 1024.0, {});
   return found;
 }
 
@@ -72,7 +76,7 @@ double simulatedCurrentNoise(const ServoLoop& loop, double bandwidth_rad_per_s, 
   const double decay = std::exp(-loop.motor.resistance_ohm * tick_s / loop.motor.inductance_H);
   Random random(7);
   double current = 0.0, acting = 0.0, sum = 0.0;
-  constexpr int ticks = 200000;
+  constexpr int ticks = 100000;
   for (int k = 0; k < ticks; ++k) {
     const double voltage = controller.step(0.0, current + noise_A * random.normal(), 0.0, 1e9);
     current = decay * current + (1.0 - decay) / loop.motor.resistance_ohm * acting;
@@ -142,11 +146,11 @@ void TestInnerLoops::currentLoop_isAsFastAsItMay() {
   QVERIFY(fine().current.heldBy == "peak of the sensitivity" || fine().current.heldBy == "gain margin");
   ServoLoop prompt = motorLoop();
   prompt.delay_ticks = 0;
-  QVERIFY(chosen(prompt, 14400.0).current.bandwidth_rad_per_s > 1.3 * fine().current.bandwidth_rad_per_s);
+  QVERIFY(chosen(prompt, 14400.0, few).current.bandwidth_rad_per_s > 1.3 * fine().current.bandwidth_rad_per_s);
 }
 
 void TestInnerLoops::noisySensor_slowsTheCurrentLoop() {
-  const InnerLoops noisy = chosen(motorLoop(), 14400.0, {}, 0.3);
+  const InnerLoops noisy = chosen(motorLoop(), 14400.0, few, 0.3);
   QVERIFY(noisy.current.bandwidth_rad_per_s < 0.8 * fine().current.bandwidth_rad_per_s);
   QCOMPARE(noisy.current.heldBy, std::string("noise of the current"));
 }
@@ -162,14 +166,14 @@ void TestInnerLoops::currentNoise_isThatOfTheController() {
 }
 
 void TestInnerLoops::given_isTaken() {
-  InnerLoopOptions inner;
+  InnerLoopOptions inner = few;
   inner.observer_rad_per_s = 777.0;
   inner.current_rad_per_s = 555.0;
   const InnerLoops found = chosen(motorLoop(), 14400.0, inner);
   QVERIFY(found.observer.source == BandwidthSource::given && found.current.source == BandwidthSource::given);
   QCOMPARE(found.observer.bandwidth_rad_per_s, 777.0);
   QCOMPARE(found.current.bandwidth_rad_per_s, 555.0);
-  inner = {};
+  inner = few;
   inner.asBoards = true;
   const InnerLoops boards = chosen(motorLoop(), 14400.0, inner);
   QCOMPARE(boards.observer.bandwidth_rad_per_s, boardVelocityBandwidth_rad_per_s(tick_s));
@@ -179,8 +183,8 @@ void TestInnerLoops::given_isTaken() {
 void TestInnerLoops::withoutLimitOrSupply_theObserverIsTheBoards() {
   ServoLoop loop = motorLoop();
   loop.settings.current_limit_A = 0.0;
-  QVERIFY(chosen(loop, 14400.0).observer.source == BandwidthSource::board);
-  InnerLoopOptions inner;
+  QVERIFY(chosen(loop, 14400.0, few).observer.source == BandwidthSource::board);
+  InnerLoopOptions inner = few;
   inner.supply_V = 24.0;  // then U/R is the limit
   QVERIFY(chosen(loop, 14400.0, inner).observer.source == BandwidthSource::chosen);
 }
