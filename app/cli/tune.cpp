@@ -22,6 +22,7 @@ constexpr double perHalfInterval = 1.0 / normal95;  // a standard error per half
 struct TuneLine {
   std::string bench, stiffness = "medium", out, project;
   BoardTiming timing;
+  InnerLoopOptions inner;
   bool anyway = false;
   double inertiaError_percent = 5.0, torqueConstantError_percent = 2.7, currentNoise_A = 0.018, currentLimit_A = 0.0;
 };
@@ -63,11 +64,11 @@ Result<Answer> runTune(const TuneLine& line) {
   auto bench = readBench(line.bench);
   if (!bench) return bench.error();
   if (auto held = holdToItself(line, *bench); !held) return held.error();
-  auto out =
-      OutputFolder::open({line.out,
-                          "tune",
-                          {"bench.json", "root_locus.csv", "response.csv", "noise.csv", "figures", "tuning.json"},
-                          {line.bench}});
+  auto out = OutputFolder::open({line.out,
+                                 "tune",
+                                 {"bench.json", "root_locus.csv", "response.csv", "noise.csv", "speed_observer.csv",
+                                  "current_loop.csv", "figures", "tuning.json"},
+                                 {line.bench}});
   if (!out) return out.error();
   auto loop = loopOfBench(*bench, line.timing);
   if (!loop) return Error{line.bench + ", " + loop.error().place, loop.error().fact};
@@ -75,8 +76,11 @@ Result<Answer> runTune(const TuneLine& line) {
   AutoTuningOptions options;
   options.stiffness = *stiffnessNamed(line.stiffness);
   options.noise = {roundingRms_rad(bench->count()), line.currentNoise_A};
-  auto study = studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
-                           within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
+  InnerLoopOptions inner = line.inner;
+  inner.supply_V = bench->supply_V.value_or(0.0);
+  auto study =
+      studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
+                  within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options, inner);
   if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
   study->axis = bench->axis;
   const NoiseShare noise = noiseShareOf(*study, *bench);
@@ -133,15 +137,17 @@ void addTune(CLI::App& app, Job& chosen) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command
-      ->add_option("--velocity-bandwidth", line->timing.velocityBandwidth_rad_per_s,
-                   "of the board's speed observer in rad/s; 0: as the boards have it")
+      ->add_option("--velocity-bandwidth", line->inner.observer_rad_per_s,
+                   "of the board's speed observer in rad/s; 0: chosen so that the shaft yields least to a load")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command
-      ->add_option("--current-bandwidth", line->timing.currentBandwidth_rad_per_s,
-                   "of the board's current loop in rad/s; 0: as the boards have it")
+      ->add_option("--current-bandwidth", line->inner.current_rad_per_s,
+                   "of the board's current loop in rad/s; 0: chosen, as fast as its margins and noise let it be")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--board-bandwidths", line->inner.asBoards,
+                    "instead of choosing these two, take what Breakaway's own boards have, 400 and 300 rad/s at 5 kHz");
   command->add_flag(
       "--anyway", line->anyway,
       "tune where the bench file contradicts itself or the noise is beyond the current; bench.json says so");

@@ -22,6 +22,7 @@
 #include "widgets/locus_plot.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
+#include "widgets/observer_noise_plot.h"
 #include "widgets/quantity_slider.h"
 #include "widgets/setting_words.h"
 #include "widgets/step_plot.h"
@@ -71,6 +72,11 @@ QString foretoldWords(FrictionSource friction) {
       break;
   }
   return TunePage::tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A");
+}
+
+/// Noise up to so much is good (gradeOfNoise()).
+double good_A(double limit_A) {
+  return 0.02 * limit_A;
 }
 
 QString toneOf(Grade grade) {
@@ -280,15 +286,44 @@ QWidget* TunePage::buildPlots() {
   auto* right = new QVBoxLayout;
   right->setSpacing(8);
   bode_ = new BodePlot(group);
-  locus_ = new LocusPlot(group);
   right->addWidget(titled(group, {}, bode_), 1);
-  right->addWidget(titled(group, tr("Poles as g grows (1/s)"), locus_), 1);
+  right->addWidget(titled(group, {}, buildLocusOrNoise(group)), 1);
   loops_ = new QWidget(group);
   loops_->setFixedWidth(plotsWidth);
   loops_->setLayout(right);
   right->setContentsMargins(0, 0, 0, 0);
   row->addLayout(left, 1);
   row->addWidget(loops_);
+  return group;
+}
+
+/// One of the two at a time.
+QWidget* TunePage::buildLocusOrNoise(QWidget* parent) {
+  auto* group = new QWidget(parent);
+  auto* column = columnIn(group, 4);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  auto* tabs = new QButtonGroup(group);
+  locus_ = new LocusPlot(group);
+  observerNoise_ = new ObserverNoisePlot(group);
+  auto* poles = chipButton(group, "polesTab", tr("Poles over g (1/s)"), tr("Poles of the closed loop as g grows"));
+  auto* noise = chipButton(group, "observerNoiseTab", tr("Noise (mA)"),
+                           tr("The current's noise with these gains, were the board's speed observer slower or faster "
+                              "(rad/s); dashed: 2 % of the current limit"));
+  for (QPushButton* tab : {poles, noise}) {
+    tabs->addButton(tab);
+    row->addWidget(tab);
+  }
+  row->addStretch(1);
+  poles->setChecked(true);
+  observerNoise_->setVisible(false);
+  connect(noise, &QPushButton::toggled, this, [this](bool shown) {
+    locus_->setVisible(!shown);
+    observerNoise_->setVisible(shown);
+  });
+  column->addLayout(row);
+  column->addWidget(locus_, 1);
+  column->addWidget(observerNoise_, 1);
   return group;
 }
 
@@ -401,6 +436,7 @@ void TunePage::foretell() {
   showCurve();
   bode_->show(preview_.response, preview_.margins, onBoard_.response);
   locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s);
+  observerNoise_->show(preview_.observerNoise, good_A(edits_.edited().current_limit_A));
   showChips();
   showSteps();
 }
@@ -422,7 +458,7 @@ void TunePage::showChips() {
               stable ? QString("≥ 2.5") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
   rule_->show(numberText(now.alphaGT, 2), QString("≤ 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
   noise_->show(stable ? tr("%1 mA").arg(numberText(1e3 * now.currentNoise_A)) : tr("–"),
-               QString("≤ %1 mA").arg(numberText(20.0 * edits_.edited().current_limit_A, 2)),
+               QString("≤ %1 mA").arg(numberText(1e3 * good_A(edits_.edited().current_limit_A), 2)),
                stable ? toneOf(gradeOfNoise(now.currentNoise_A, edits_.edited().current_limit_A)) : "trouble");
   if (!stable) {
     read(tr("Unstable: the loop would swing up by itself. Lower the gain or the cutoff."));

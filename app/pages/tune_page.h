@@ -23,6 +23,7 @@ class BodePlot;
 class Connection;
 class FigureChip;
 class LocusPlot;
+class ObserverNoisePlot;
 class QuantitySlider;
 class SettingsEdits;
 class StepPlot;
@@ -53,6 +54,7 @@ class TunePage : public Page {
   QWidget* buildChips();
   QWidget* buildPlots();
   QWidget* buildLoops();
+  QWidget* buildLocusOrNoise(QWidget* parent);
   QWidget* buildStep();
   QuantitySlider* addSlider(const QString& objectName, double ControllerSettings::*field);
   void showLoop(bool position);
@@ -98,6 +100,7 @@ class TunePage : public Page {
   StepPlot* plot_ = nullptr;
   BodePlot* bode_ = nullptr;
   LocusPlot* locus_ = nullptr;
+  ObserverNoisePlot* observerNoise_ = nullptr;
   StepTable* table_ = nullptr;
   QLabel* source_ = nullptr;
   QGridLayout* chips_ = nullptr;

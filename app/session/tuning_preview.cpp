@@ -11,7 +11,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t frequencies = 160, cutoffs = 80;
+constexpr size_t frequencies = 160, cutoffs = 80, observerBandwidths = 16;
 constexpr size_t fewestSettled = 20;  // samples of a step
 constexpr double lowest_rad_per_s = 10.0;
 constexpr double degree = std::numbers::pi / 180.0;
@@ -92,8 +92,9 @@ TuningPreview previewOf(const PreviewQuestion& question) {
   preview.ruleOfThumb_rad_per_s = loop.alpha() > 0.0 ? 0.3 / (loop.alpha() * loop.board.tick_s) : 0.0;
   preview.margins = margins(loop);
   if (preview.margins.stable) {
-    if (const auto noise = loopNoise(loop, {roundingRms_rad(loop.board.count_rad), question.motor.currentNoise_A}))
-      preview.currentNoise_A = noise->currentReference_A;
+    const SensorNoise sensors{roundingRms_rad(loop.board.count_rad), question.motor.currentNoise_A};
+    if (const auto noise = loopNoise(loop, sensors)) preview.currentNoise_A = noise->currentReference_A;
+    preview.observerNoise = noiseOverObserver(loop, sensors, observerBandwidths);
     preview.step = foretold(loop, question);
     preview.figures = figuresOf(preview.step, stepOf(question));
   }

@@ -17,6 +17,7 @@ struct TuningPreview {
   QString trouble;  ///< why nothing can be foretold; all else is empty then
   LoopMargins margins;
   double alphaGT = 0.0;
+  ObserverNoise observerNoise;  ///< empty where the loop is unstable
   double currentNoise_A = 0.0;  ///< rms of the current reference; 0 where the loop is unstable
   /// Empty where the loop is unstable. Of the position loop its "velocity" is the angle in rad, or the position in m.
   StepCurve step;

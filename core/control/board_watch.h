@@ -128,24 +128,29 @@ class BoardWatch {
     return limits_.tick_s > Scalar(0) ? static_cast<long>(duration_s / limits_.tick_s * Scalar(1.000001)) : 0;
   }
 
-  /// Whatever stops a shaft can do so within a tick, but nothing can make it that much faster.
+  /// Whatever stops a shaft can do so within a tick, and what it meets may throw it back no faster than it came, which
+  /// takes two ticks to show; but nothing can make it that much faster, nor turn it about and on again in two ticks:
+  /// there the encoder jumped and the shaft went on.
   Trip angle(const Seen& seen) {
-    const Scalar before = change_rad_;
+    const Scalar before = change_rad_, came = exceeds(before, earlier_rad_) ? before : earlier_rad_;
     const Scalar change = ticks_ > 0 ? seen.angle_rad - angle_rad_ : Scalar(0);
     if (ticks_ == 0) anchor_rad_ = seen.angle_rad;
     angle_rad_ = seen.angle_rad;
     // The first change says how fast the shaft was when the board woke up; one that lasts after a jump is motion.
-    const bool known = ticks_ > 1 && !jumped_;
+    const bool far = ticks_ > 1 && !jumped_ && exceeds(change, room_rad_);
     if (ticks_ < 2) ++ticks_;
-    jumped_ =
-        known && exceeds(change, room_rad_) &&
-        (isNegative(change) != isNegative(before) || (exceeds(change, before) && exceeds(change - before, room_rad_)));
+    const bool back = far && isNegative(change) != isNegative(came);
+    const bool wentOn = far && !back && thrownBack_ && isNegative(change) != isNegative(before);
+    jumped_ = back ? exceeds(change, came) && exceeds(change + came, limits_.count_rad)
+                   : wentOn || (far && exceeds(change, before) && exceeds(change - before, room_rad_));
+    thrownBack_ = back && !jumped_;
+    if (!wentOn && (back || jumped_)) jumped_rad_ = change - before;
     if (!jumped_) {
+      earlier_rad_ = before;
       change_rad_ = change;
       return Trip::none;
     }
-    jumped_rad_ = change - before;  // what comes next is compared with what was before the jump
-    return Trip::encoderJump;
+    return Trip::encoderJump;  // what comes next is compared with what was before the jump
   }
 
   /// What voltage, current and encoder say together. Smoothed values of one time are compared, so that neither a ripple
@@ -278,9 +283,10 @@ class BoardWatch {
   Scalar roundStart_rad_ = 0, roundStart_A_ = 0;
   Scalar acting_V_ = 0;  ///< since the last tick
   int step_ = 0;         ///< of the round
-  Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
-  int ticks_ = 0;  ///< seen, up to two
-  bool jumped_ = false;
+  Scalar angle_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
+  Scalar change_rad_ = 0, earlier_rad_ = 0;   ///< over the last tick, and over the one before it
+  int ticks_ = 0;                             ///< seen, up to two
+  bool jumped_ = false, thrownBack_ = false;  ///< in the last tick
 };
 
 }  // namespace breakaway

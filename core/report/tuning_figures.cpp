@@ -214,4 +214,56 @@ Figure noiseFigure(const TuningStudy& study) {
   return figure;
 }
 
+namespace {
+
+/// A vertical line where a bandwidth was chosen, over the heights of a curve.
+Curve chosenAt(double bandwidth_rad_per_s, const Curve& over) {
+  double low = HUGE_VAL, high = 0.0;
+  for (const double y : over.y) {
+    if (!std::isfinite(y)) continue;
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  Curve line{"in use", {bandwidth_rad_per_s, bandwidth_rad_per_s}, {low, high}};
+  line.style = Curve::Style::dashed;
+  line.colour = grey;
+  return line;
+}
+
+}  // namespace
+
+Figure speedObserverFigure(const InnerLoops& inner, bool linear) {
+  Figure figure{
+      "What a faster speed observer gives and costs", "bandwidth of the speed observer / rad/s",
+      linear ? "noise / mA, and speed per load / m/s per kN" : "noise / mA, and speed per load / rad/s per Nm"};
+  figure.logX = figure.logY = true;
+  Curve noise{"current's noise, rms / mA", {}, {}},
+      yielding{linear ? "speed per load / m/s per kN" : "speed per load / rad/s per Nm", {}, {}};
+  for (const SpeedObserverRow& row : inner.observerRows) {
+    if (!(row.loopBandwidth_rad_per_s > 0.0)) continue;
+    noise.x.push_back(row.bandwidth_rad_per_s);
+    noise.y.push_back(1e3 * row.noise.currentReference_A);
+    yielding.x.push_back(row.bandwidth_rad_per_s);
+    yielding.y.push_back((linear ? 1e3 : 1.0) * row.yielding_rad_per_s_per_Nm);
+  }
+  figure.curves = {noise, yielding, chosenAt(inner.observer.bandwidth_rad_per_s, noise)};
+  return figure;
+}
+
+Figure currentLoopFigure(const InnerLoops& inner) {
+  Figure figure{"What a faster current loop costs", "bandwidth of the current loop / rad/s",
+                "noise that the sensor makes, rms / mA and mV"};
+  figure.logX = figure.logY = true;
+  Curve current{"in the winding / mA", {}, {}}, voltage{"at the bridge / mV", {}, {}};
+  for (const CurrentLoopRow& row : inner.currentRows) {
+    if (!std::isfinite(row.current_A)) continue;
+    current.x.push_back(row.bandwidth_rad_per_s);
+    current.y.push_back(1e3 * row.current_A);
+    voltage.x.push_back(row.bandwidth_rad_per_s);
+    voltage.y.push_back(1e3 * row.voltage_V);
+  }
+  figure.curves = {current, voltage, chosenAt(inner.current.bandwidth_rad_per_s, current)};
+  return figure;
+}
+
 }  // namespace breakaway

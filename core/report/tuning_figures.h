@@ -18,5 +18,9 @@ Figure sensitivityFigure(const TuningStudy& study);
 /// The shaft's speed per load torque, of both loops.
 Figure loadFigure(const TuningStudy& study);
 Figure noiseFigure(const TuningStudy& study);
+/// Noise and yielding over the speed observer's bandwidth, each per what the chosen one has.
+Figure speedObserverFigure(const InnerLoops& inner, bool linear);
+/// Noise that the current sensor makes in the winding over the current loop's bandwidth. Precondition: a winding.
+Figure currentLoopFigure(const InnerLoops& inner);
 
 }  // namespace breakaway

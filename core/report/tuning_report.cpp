@@ -8,7 +8,9 @@
 
 #include "base/atomic_file.h"
 #include "base/made.h"
+#include "control/tuning.h"
 #include "draw/html_report.h"
+#include "report/inner_loop_tables.h"
 #include "report/tuning_figures.h"
 
 namespace breakaway {
@@ -76,6 +78,13 @@ Json loopJson(const ServoLoop& loop) {
           {"current_bandwidth_rad_per_s", loop.board.current.bandwidth_rad_per_s}};
 }
 
+Json choiceJson(const BandwidthChoice& choice, double board_rad_per_s) {
+  Json json{{"bandwidth_rad_per_s", choice.bandwidth_rad_per_s}, {"source", nameOf(choice.source)}};
+  if (!choice.heldBy.empty()) json["held_by"] = choice.heldBy;
+  json["board_rad_per_s"] = board_rad_per_s;
+  return json;
+}
+
 Json controllersJson(const Tuning& tuning) {
   const BenchController velocity = controllerOf(tuning);
   const auto& gains = tuning.settings.gains;
@@ -96,16 +105,6 @@ Json controllersJson(const Tuning& tuning) {
                                             {"kd_A_s_per_rad", gains.position_kd_A_s_per_rad}})}};
 }
 
-/// One row of numbers; what is not finite stays empty.
-std::string row(const std::vector<double>& values) {
-  std::string line;
-  for (size_t k = 0; k < values.size(); ++k) {
-    line += k > 0 ? "," : "";
-    if (std::isfinite(values[k])) line += fmt::format("{:.9g}", values[k]);
-  }
-  return line + "\n";
-}
-
 std::string locusTable(const RootLocus& locus) {
   std::string table = "cutoff_rad_per_s";
   for (size_t b = 0; b < locus.branches.size(); ++b)
@@ -114,7 +113,7 @@ std::string locusTable(const RootLocus& locus) {
   for (size_t k = 0; k < locus.cutoff_rad_per_s.size(); ++k) {
     std::vector<double> values{locus.cutoff_rad_per_s[k]};
     for (const auto& branch : locus.branches) values.insert(values.end(), {branch[k].real(), branch[k].imag()});
-    table += row(values);
+    table += numberRow(values);
   }
   return table;
 }
@@ -136,7 +135,7 @@ std::string responseTable(const TuningStudy& study) {
                                    std::abs(cut->complementary[k]), std::abs(closed->following[k]),
                                    std::abs(closed->yielding[k]), std::abs(closed->observing[k])});
     }
-    table += row(values);
+    table += numberRow(values);
   }
   return table;
 }
@@ -149,8 +148,8 @@ std::string noiseTable(const TuningStudy& study) {
   table += "\n";
   for (size_t k = 0; k < study.noise.size(); ++k) {
     const LoopNoise& one = study.noise[k];
-    table += row({study.cutoffs_rad_per_s[k], one.estimate_Nm, one.estimateByEncoder_Nm, one.currentReference_A,
-                  one.velocity_rad_per_s, one.voltage_V});
+    table += numberRow({study.cutoffs_rad_per_s[k], one.estimate_Nm, one.estimateByEncoder_Nm, one.currentReference_A,
+                        one.velocity_rad_per_s, one.voltage_V});
   }
   return table;
 }
@@ -204,6 +203,9 @@ std::string tuningJson(const TuningStudy& study, const std::string& name) {
     json["motor"]["inductance_H"] = study.loop.motor.inductance_H;
   }
   json["loop"] = loopJson(study.loop);
+  const double T = study.loop.board.tick_s;
+  json["speed_observer"] = choiceJson(study.inner.observer, boardVelocityBandwidth_rad_per_s(T));
+  json["current_loop"] = choiceJson(study.inner.current, boardCurrentBandwidth_rad_per_s(T));
   json["wanted"] = {{"gain_margin", tuning.wanted.gainMargin},
                     {"phase_margin_rad", tuning.wanted.phaseMargin_rad},
                     {"peak_sensitivity", tuning.wanted.peakSensitivity},
@@ -228,7 +230,9 @@ Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std
   const std::pair<const char*, std::string> texts[] = {{"tuning.json", withMade(tuningJson(study, bench.name))},
                                                        {"root_locus.csv", locusTable(study.locus)},
                                                        {"response.csv", responseTable(study)},
-                                                       {"noise.csv", noiseTable(study)}};
+                                                       {"noise.csv", noiseTable(study)},
+                                                       {"speed_observer.csv", speedObserverTable(study)},
+                                                       {"current_loop.csv", currentLoopTable(study)}};
   for (const auto& [name, text] : texts) {
     if (auto done = writeFile(folder + "/" + name, text); !done) return done;
   }
@@ -237,13 +241,18 @@ Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std
   for (const auto& [name, figure] : squares) {
     if (auto done = writeSvg(figure, folder + "/figures/" + name + ".svg", square_px, square_px); !done) return done;
   }
-  const std::pair<const char*, Figure> wide[] = {{"loop_gain", gainFigure(study)},
-                                                 {"loop_phase", phaseFigure(study)},
-                                                 {"sensitivity", sensitivityFigure(study)},
-                                                 {"load", loadFigure(study)},
-                                                 {"noise", noiseFigure(study)}};
+  const std::pair<const char*, Figure> wide[] = {
+      {"loop_gain", gainFigure(study)},
+      {"loop_phase", phaseFigure(study)},
+      {"sensitivity", sensitivityFigure(study)},
+      {"load", loadFigure(study)},
+      {"noise", noiseFigure(study)},
+      {"speed_observer", speedObserverFigure(study.inner, study.axis == Axis::linear)}};
   for (const auto& [name, figure] : wide) {
     if (auto done = writeSvg(figure, folder + "/figures/" + name + ".svg"); !done) return done;
+  }
+  if (!study.inner.currentRows.empty()) {
+    if (auto done = writeSvg(currentLoopFigure(study.inner), folder + "/figures/current_loop.svg"); !done) return done;
   }
   return writeBench(tuned, folder + "/bench.json");
 }
@@ -267,6 +276,7 @@ std::string inWords(const TuningStudy& study) {
   words += "Noise: " + numberText(1e3 * tuning.noise.estimate_Nm, 3) +
            (linear ? " mN rms in the force estimate, " : " mNm rms in the torque estimate, ") +
            numberText(1e3 * tuning.noise.currentReference_A, 3) + " mA in the current.";
+  words += "\n" + innerLoopWords(study);
   if (study.loop.current == CurrentPath::ideal)
     words += "\nThe current loop was taken as ideal: resistance or inductance is missing.";
   return words;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "control/tuning.h"
+#include "stability/reach.h"
 
 namespace breakaway {
 
@@ -30,12 +30,13 @@ class Tuner {
   }
 
   Result<Tuning> tune();
+  Result<VelocityTuning> tuneVelocity();
 
  private:
+  Reach velocityReach() const;
   ServoLoop tuned(double bandwidth, double positionBandwidth, ServoMode mode) const;
   ServoLoop at(ServoLoop loop, std::pair<double, double> corner) const;
   std::string loss(const ServoLoop& loop) const;
-  std::string lossOfMargins(const LoopMargins& found) const;
   TuningCorner look(std::pair<double, double> corner, double bandwidth, double positionBandwidth) const;
 
   ServoLoop loop_;
@@ -59,62 +60,17 @@ ServoLoop Tuner::at(ServoLoop loop, std::pair<double, double> corner) const {
   return loop;
 }
 
-std::string Tuner::lossOfMargins(const LoopMargins& found) const {
-  if (!found.stable) return "stability";
-  if (found.peakSensitivity > wanted_.peakSensitivity) return "peak of the sensitivity";
-  if (found.gainMargin < wanted_.gainMargin) return "gain margin";
-  if (found.phaseMargin_rad < wanted_.phaseMargin_rad) return "phase margin";
-  return {};
-}
-
 /// What these gains don't keep at some corner, in words; empty when they keep all.
 std::string Tuner::loss(const ServoLoop& loop) const {
   if (loop.settings.observer_cutoff_rad_per_s > highestCutoffPerTick / loop.board.tick_s)
     return "highest cutoff that a board accepts";
   for (const auto& corner : corners_) {
-    if (auto lost = lossOfMargins(margins(at(loop, corner))); !lost.empty()) return lost;
+    if (auto lost = lossOfMargins(margins(at(loop, corner)), wanted_); !lost.empty()) return lost;
   }
   if (!(loop.settings.current_limit_A > 0.0)) return {};
   const auto noise = loopNoise(loop, options_.noise);
   const double most_A = wanted_.noiseShare * loop.settings.current_limit_A;
   return noise && noise->currentReference_A <= most_A ? std::string() : "noise of the current";
-}
-
-/// How far the bandwidth goes without a loss, and what is lost beyond it.
-struct Reach {
-  double bandwidth = 0.0;  ///< 0: there is a loss everywhere
-  std::string heldBy;
-};
-
-/// The upper end of the first stretch without a loss that is met from below.
-Reach farthest(double lowest, double highest, const std::function<std::string(double)>& loss) {
-  Reach reach;
-  double lost = highest;
-  for (double one = lowest; one < highest * 1.4; one *= 1.4) {
-    const double tried = std::min(one, highest);
-    const std::string why = loss(tried);
-    if (why.empty()) {
-      reach = {tried, {}};
-      continue;
-    }
-    reach.heldBy = why;
-    if (reach.bandwidth > 0.0) {
-      lost = tried;
-      break;
-    }
-  }
-  if (!(reach.bandwidth > 0.0) || reach.heldBy.empty()) return reach;
-  while (lost > 1.002 * reach.bandwidth) {
-    const double middle = std::sqrt(lost * reach.bandwidth);
-    const std::string why = loss(middle);
-    if (why.empty()) {
-      reach.bandwidth = middle;
-    } else {
-      lost = middle;
-      reach.heldBy = why;
-    }
-  }
-  return reach;
 }
 
 TuningCorner Tuner::look(std::pair<double, double> corner, double bandwidth, double positionBandwidth) const {
@@ -137,28 +93,41 @@ LoopMargins worse(const LoopMargins& a, const LoopMargins& b) {
   return worst;
 }
 
+Reach Tuner::velocityReach() const {
+  const double T = loop_.board.tick_s;
+  return farthest(1e-4 / T, 1.0 / T, [this](double w) { return loss(tuned(w, 0.0, ServoMode::velocity)); });
+}
+
+Result<VelocityTuning> Tuner::tuneVelocity() {
+  if (auto fine = check(loop_); !fine) return fine.error();
+  const Reach velocity = velocityReach();
+  if (!(velocity.most > 0.0)) return VelocityTuning{0.0, velocity.heldBy, loop_, {}};
+  const ServoLoop loop = tuned(velocity.most, 0.0, ServoMode::velocity);
+  auto noise = loopNoise(loop, options_.noise);
+  if (!noise) return noise.error();
+  return VelocityTuning{velocity.most, velocity.heldBy, loop, *noise};
+}
+
 Result<Tuning> Tuner::tune() {
   if (auto fine = check(loop_); !fine) return fine.error();
-  const double T = loop_.board.tick_s;
-  const auto velocity =
-      farthest(1e-4 / T, 1.0 / T, [this](double w) { return loss(tuned(w, 0.0, ServoMode::velocity)); });
-  if (!(velocity.bandwidth > 0.0))
+  const Reach velocity = velocityReach();
+  if (!(velocity.most > 0.0))
     return Error{"tuning", message("finds no gains that hold at every corner: the {} is lost", velocity.heldBy)};
-  const double w = velocity.bandwidth;
+  const double w = velocity.most;
   const auto position = farthest(1e-3 * w, w, [this, w](double wp) { return loss(tuned(w, wp, ServoMode::position)); });
-  if (!(position.bandwidth > 0.0))
+  if (!(position.most > 0.0))
     return Error{"tuning",
                  message("finds no position gains that hold at every corner: the {} is lost", position.heldBy)};
   Tuning tuning;
   tuning.stiffness = options_.stiffness;
   tuning.wanted = wanted_;
-  const ServoLoop nominal = tuned(w, position.bandwidth, ServoMode::velocity);
+  const ServoLoop nominal = tuned(w, position.most, ServoMode::velocity);
   tuning.settings = nominal.settings;
   tuning.velocityBandwidth_rad_per_s = w;
-  tuning.positionBandwidth_rad_per_s = position.bandwidth;
+  tuning.positionBandwidth_rad_per_s = position.most;
   tuning.heldBy = velocity.heldBy;
-  tuning.nominal = look({loop_.motor.inertia_kg_m2, loop_.motor.torqueConstant_Nm_per_A}, w, position.bandwidth);
-  for (const auto& corner : corners_) tuning.corners.push_back(look(corner, w, position.bandwidth));
+  tuning.nominal = look({loop_.motor.inertia_kg_m2, loop_.motor.torqueConstant_Nm_per_A}, w, position.most);
+  for (const auto& corner : corners_) tuning.corners.push_back(look(corner, w, position.most));
   tuning.worstVelocity = tuning.corners.front().velocity;
   tuning.worstPosition = tuning.corners.front().position;
   for (const TuningCorner& one : tuning.corners) {
@@ -195,12 +164,35 @@ WantedMargins wantedMargins(Stiffness stiffness) {
   return {2.0, 30.0 * degree, 2.0, 0.05};
 }
 
-Result<Tuning> autoTune(const ServoLoop& loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
-                        const AutoTuningOptions& options) {
+std::string lossOfMargins(const LoopMargins& found, const WantedMargins& wanted) {
+  if (!found.stable) return "stability";
+  if (found.peakSensitivity > wanted.peakSensitivity) return "peak of the sensitivity";
+  if (found.gainMargin < wanted.gainMargin) return "gain margin";
+  if (found.phaseMargin_rad < wanted.phaseMargin_rad) return "phase margin";
+  return {};
+}
+
+namespace {
+
+Result<void> awayFromZero(const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A) {
   if (!(inertia_kg_m2.low95() > 0.0)) return Error{"inertia_kg_m2", message("has an interval that reaches zero")};
   if (!(torqueConstant_Nm_per_A.low95() > 0.0))
     return Error{"torque_constant_Nm_per_A", message("has an interval that reaches zero")};
+  return {};
+}
+
+}  // namespace
+
+Result<Tuning> autoTune(const ServoLoop& loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
+                        const AutoTuningOptions& options) {
+  if (auto away = awayFromZero(inertia_kg_m2, torqueConstant_Nm_per_A); !away) return away.error();
   return Tuner(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options).tune();
+}
+
+Result<VelocityTuning> tuneVelocity(const ServoLoop& loop, const Estimate& inertia_kg_m2,
+                                    const Estimate& torqueConstant_Nm_per_A, const AutoTuningOptions& options) {
+  if (auto away = awayFromZero(inertia_kg_m2, torqueConstant_Nm_per_A); !away) return away.error();
+  return Tuner(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options).tuneVelocity();
 }
 
 }  // namespace breakaway

@@ -31,6 +31,9 @@ struct WantedMargins {
 /// limit.
 WantedMargins wantedMargins(Stiffness stiffness);
 
+/// What of it these margins don't keep, in words ("peak of the sensitivity"); empty when they keep all.
+std::string lossOfMargins(const LoopMargins& found, const WantedMargins& wanted);
+
 struct AutoTuningOptions {
   Stiffness stiffness = Stiffness::medium;
   double cutoffPerBandwidth = 10.0 / 3.0;  ///< g/w: nominally the closed loop's poles lie at −g and −w
@@ -66,5 +69,17 @@ struct Tuning {
 /// zero, no w that holds.
 Result<Tuning> autoTune(const ServoLoop& loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
                         const AutoTuningOptions& options);
+
+/// The velocity loop of autoTune() alone, nominally.
+struct VelocityTuning {
+  double bandwidth_rad_per_s = 0.0;  ///< 0: no gains hold at every corner, for `heldBy` is lost
+  std::string heldBy;
+  ServoLoop loop;
+  LoopNoise noise;
+};
+
+/// Errors: those of autoTune(), but that no w holds.
+Result<VelocityTuning> tuneVelocity(const ServoLoop& loop, const Estimate& inertia_kg_m2,
+                                    const Estimate& torqueConstant_Nm_per_A, const AutoTuningOptions& options);
 
 }  // namespace breakaway

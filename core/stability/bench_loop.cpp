@@ -23,12 +23,11 @@ Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing) {
                 motor.backEmfConstant.value_or(*torqueConstant)};
   const bool wound = motor.resistance_ohm && motor.inductance_H;
   loop.current = wound ? CurrentPath::winding : CurrentPath::ideal;
-  const auto either = [](double given, double otherwise) { return given > 0.0 ? given : otherwise; };
   loop.board = {timing.tick_s,
                 bench.count(),
                 {loop.motor.resistance_ohm, loop.motor.inductance_H, loop.motor.backEmfConstant_V_s_per_rad,
-                 either(timing.currentBandwidth_rad_per_s, boardCurrentBandwidth_rad_per_s(timing.tick_s))},
-                either(timing.velocityBandwidth_rad_per_s, boardVelocityBandwidth_rad_per_s(timing.tick_s))};
+                 boardCurrentBandwidth_rad_per_s(timing.tick_s)},
+                boardVelocityBandwidth_rad_per_s(timing.tick_s)};
   const BenchController& controller = bench.controller;
   loop.settings.inertia_kg_m2 = *motor.inertia;
   loop.settings.torqueConstant_Nm_per_A = *torqueConstant;

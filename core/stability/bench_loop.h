@@ -9,15 +9,14 @@ namespace breakaway {
 /// What a bench file doesn't say of the board.
 struct BoardTiming {
   double tick_s = 2e-4;
-  int delay_ticks = 1;                       ///< the command of a sample acts from the next tick on
-  double velocityBandwidth_rad_per_s = 0.0;  ///< of the speed observer; 0: as the boards have it at this tick
-  double currentBandwidth_rad_per_s = 0.0;   ///< of the current loop; 0: as the boards have it at this tick
+  int delay_ticks = 1;  ///< the command of a sample acts from the next tick on
 };
 
 /// Motor, encoder and winding as believed, the controller tuned on the same values, its current limit that of the bench
-/// file (0: none given). Without resistance or inductance the current is taken as ideal: held at its reference. A
-/// missing torque constant is the back-EMF constant, which is the same quantity in SI. On a linear axis read m for rad,
-/// kg for kg m², N for Nm. Errors: no torque constant, no inertia.
+/// file (0: none given), speed observer and current loop as fast as on the boards. Without resistance or inductance the
+/// current is taken as ideal: held at its reference. A missing torque constant is the back-EMF constant, which is the
+/// same quantity in SI. On a linear axis read m for rad, kg for kg m², N for Nm. Errors: no torque constant, no
+/// inertia.
 Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing);
 
 }  // namespace breakaway

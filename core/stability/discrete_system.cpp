@@ -53,18 +53,48 @@ double damping(const std::vector<std::complex<double>>& poles) {
   return least;
 }
 
+FrequencyResponse::FrequencyResponse(const DiscreteSystem& system, Eigen::Index from, Eigen::Index to)
+    : tick_s_(system.tick_s),
+      direct_(system.D(to, from)),
+      start_(-system.A.cast<std::complex<double>>()),
+      b_(system.B.col(from).cast<std::complex<double>>()),
+      c_(system.C.row(to).cast<std::complex<double>>()) {
+  if (system.A.rows() > 1) {
+    const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(system.A);
+    const Eigen::MatrixXd Q = reduced.matrixQ();
+    start_ = -Eigen::MatrixXd(reduced.matrixH()).cast<std::complex<double>>();
+    b_ = (Q.transpose() * b_).eval();
+    c_ = (c_ * Q).eval();
+  }
+  pencil_ = start_;
+  x_ = b_;
+}
+
+/// (zI − H)·x = b by elimination with the larger of two neighbouring rows as pivot.
+std::complex<double> FrequencyResponse::operator()(double frequency_rad_per_s) {
+  pencil_ = start_;
+  pencil_.diagonal().array() += std::polar(1.0, frequency_rad_per_s * tick_s_);
+  x_ = b_;
+  const Eigen::Index n = pencil_.rows();
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    if (std::norm(pencil_(k + 1, k)) > std::norm(pencil_(k, k))) {
+      pencil_.row(k).tail(n - k).swap(pencil_.row(k + 1).tail(n - k));
+      std::swap(x_[k], x_[k + 1]);
+    }
+    const std::complex<double> factor = pencil_(k + 1, k) / pencil_(k, k);
+    pencil_.row(k + 1).tail(n - k - 1) -= factor * pencil_.row(k).tail(n - k - 1);
+    x_[k + 1] -= factor * x_[k];
+  }
+  pencil_.triangularView<Eigen::Upper>().solveInPlace(x_);
+  return (c_ * x_).value() + direct_;
+}
+
 std::vector<std::complex<double>> response(const DiscreteSystem& system, Eigen::Index from, Eigen::Index to,
                                            const std::vector<double>& frequencies_rad_per_s) {
-  const Eigen::VectorXcd b = system.B.col(from).cast<std::complex<double>>();
-  const Eigen::RowVectorXcd c = system.C.row(to).cast<std::complex<double>>();
-  Eigen::MatrixXcd pencil = -system.A.cast<std::complex<double>>();
+  FrequencyResponse at(system, from, to);
   std::vector<std::complex<double>> answer;
   answer.reserve(frequencies_rad_per_s.size());
-  for (const double frequency : frequencies_rad_per_s) {
-    const std::complex<double> z = std::polar(1.0, frequency * system.tick_s);
-    pencil.diagonal() = -system.A.diagonal().cast<std::complex<double>>().array() + z;
-    answer.push_back((c * pencil.partialPivLu().solve(b)).value() + system.D(to, from));
-  }
+  for (const double frequency : frequencies_rad_per_s) answer.push_back(at(frequency));
   return answer;
 }
 

@@ -26,7 +26,23 @@ double spectralRadius(const DiscreteSystem& system);
 /// Control of Dynamic Systems", 3rd ed., section 4.3 (ζ lines in the z plane).
 double damping(const std::vector<std::complex<double>>& poles);
 
-/// H(e^{jωT}) from input `from` to output `to` at each frequency, in rad/s up to π/T: C·(zI − A)⁻¹·B + D.
+/// H(e^{jωT}) = C·(zI − A)⁻¹·B + D from input `from` to output `to`, frequency by frequency. A is brought to Hessenberg
+/// form once, so that each frequency is solved in n² steps. Source: Laub, "Efficient multivariable frequency response
+/// computations", IEEE Trans. Automatic Control 26(2), 1981.
+class FrequencyResponse {
+ public:
+  FrequencyResponse(const DiscreteSystem& system, Eigen::Index from, Eigen::Index to);
+  /// In rad/s, up to π/T.
+  std::complex<double> operator()(double frequency_rad_per_s);
+
+ private:
+  double tick_s_, direct_;
+  Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> start_, pencil_;
+  Eigen::VectorXcd b_, x_;
+  Eigen::RowVectorXcd c_;
+};
+
+/// FrequencyResponse at each frequency, in rad/s up to π/T.
 std::vector<std::complex<double>> response(const DiscreteSystem& system, Eigen::Index from, Eigen::Index to,
                                            const std::vector<double>& frequencies_rad_per_s);
 

@@ -1,5 +1,6 @@
 #include "stability/loop_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,27 @@ std::vector<LoopNoise> noiseOverCutoff(const ServoLoop& loop, const SensorNoise&
     const auto one = loopNoise(withCutoff(loop, cutoff), noise);
     all.push_back(one ? *one : unknown());
   }
+  return all;
+}
+
+ObserverNoise noiseOverObserver(const ServoLoop& loop, const SensorNoise& noise, size_t count) {
+  ObserverNoise found;
+  found.inUse_rad_per_s = loop.board.velocityBandwidth_rad_per_s;
+  found.bandwidth_rad_per_s = bandwidthsAround(found.inUse_rad_per_s, loop.board.tick_s, count);
+  for (const double bandwidth : found.bandwidth_rad_per_s) {
+    ServoLoop other = loop;
+    other.board.velocityBandwidth_rad_per_s = bandwidth;
+    const auto one = loopNoise(other, noise);
+    found.current_A.push_back(one ? one->currentReference_A : unknown().currentReference_A);
+  }
+  return found;
+}
+
+std::vector<double> bandwidthsAround(double extra_rad_per_s, double tick_s, size_t count) {
+  auto all = decades(0.02 / tick_s, 1.0 / tick_s, count);
+  const auto near = std::lower_bound(all.begin(), all.end(), extra_rad_per_s);
+  if (near == all.end() || std::abs(*near - extra_rad_per_s) > 1e-6 * extra_rad_per_s)
+    all.insert(near, extra_rad_per_s);
   return all;
 }
 

@@ -37,4 +37,17 @@ Result<LoopNoise> loopNoise(const ServoLoop& loop, const SensorNoise& noise);
 std::vector<LoopNoise> noiseOverCutoff(const ServoLoop& loop, const SensorNoise& noise,
                                        const std::vector<double>& cutoffs_rad_per_s);
 
+/// `count` bandwidths of an inner loop, from 0.02/T to 1/T on a logarithmic scale, and `extra_rad_per_s` among them,
+/// rising. Precondition: count ≥ 2.
+std::vector<double> bandwidthsAround(double extra_rad_per_s, double tick_s, size_t count);
+
+/// The current reference's noise over the speed observer's bandwidth, everything else as it is.
+struct ObserverNoise {
+  std::vector<double> bandwidth_rad_per_s, current_A;  ///< rms; NaN where the loop is not stable
+  double inUse_rad_per_s = 0.0;                        ///< the loop's own bandwidth, one of those
+};
+
+/// At bandwidthsAround() the loop's own. Precondition: check(loop), count ≥ 2.
+ObserverNoise noiseOverObserver(const ServoLoop& loop, const SensorNoise& noise, size_t count);
+
 }  // namespace breakaway

@@ -15,17 +15,13 @@ namespace {
 using Complex = std::complex<double>;
 constexpr size_t searchSteps = 600;
 
-Complex at(const DiscreteSystem& open, double frequency_rad_per_s) {
-  return response(open, 0, 0, {frequency_rad_per_s}).front();
-}
-
 /// Where `value` of L changes its sign between two frequencies.
 template <typename Value>
-double crossing(const DiscreteSystem& open, double low, double high, const Value& value) {
-  const bool lowSign = value(at(open, low)) > 0.0;
+double crossing(FrequencyResponse& open, double low, double high, const Value& value) {
+  const bool lowSign = value(open(low)) > 0.0;
   for (int step = 0; step < 48; ++step) {
     const double middle = std::sqrt(low * high);
-    ((value(at(open, middle)) > 0.0) == lowSign ? low : high) = middle;
+    ((value(open(middle)) > 0.0) == lowSign ? low : high) = middle;
   }
   return std::sqrt(low * high);
 }
@@ -38,9 +34,9 @@ double imaginaryPart(const Complex& L) {
   return L.imag();
 }
 
-void takeGainCrossing(const DiscreteSystem& open, double low, double high, LoopMargins& found) {
+void takeGainCrossing(FrequencyResponse& open, double low, double high, LoopMargins& found) {
   const double frequency = crossing(open, low, high, gainAboveOne);
-  const double phase = std::abs(std::arg(-at(open, frequency)));
+  const double phase = std::abs(std::arg(-open(frequency)));
   found.delayMargin_s = std::min(found.delayMargin_s, phase / frequency);
   if (phase >= found.phaseMargin_rad) return;
   found.phaseMargin_rad = phase;
@@ -60,7 +56,7 @@ void takePhaseCrossing(double frequency_rad_per_s, const Complex& L, LoopMargins
 
 /// The largest of |value(L)|, parabolically refined in the logarithm of frequency around the largest grid point.
 template <typename Value>
-std::pair<double, double> peak(const DiscreteSystem& open, const std::vector<double>& frequencies,
+std::pair<double, double> peak(FrequencyResponse& open, const std::vector<double>& frequencies,
                                const std::vector<Complex>& loop, const Value& value) {
   size_t best = 0;
   for (size_t k = 1; k < loop.size(); ++k) {
@@ -71,17 +67,17 @@ std::pair<double, double> peak(const DiscreteSystem& open, const std::vector<dou
   for (int step = 0; step < 30; ++step) {
     const double span = std::log(high / low), left = high * std::exp(-golden * span),
                  right = low * std::exp(golden * span);
-    (value(at(open, left)) > value(at(open, right)) ? high : low) =
-        value(at(open, left)) > value(at(open, right)) ? right : left;
+    const bool leftIsMore = value(open(left)) > value(open(right));
+    (leftIsMore ? high : low) = leftIsMore ? right : left;
   }
-  const double frequency = std::sqrt(low * high), refined = value(at(open, frequency));
+  const double frequency = std::sqrt(low * high), refined = value(open(frequency));
   return refined > value(loop[best]) ? std::pair(frequency, refined) : std::pair(frequencies[best], value(loop[best]));
 }
 
-std::vector<double> searched(const DiscreteSystem& open) {
-  const double highest = std::numbers::pi / open.tick_s;
+std::vector<double> searched(FrequencyResponse& open, double tick_s) {
+  const double highest = std::numbers::pi / tick_s;
   double lowest = 1e-5 * highest;
-  while (lowest > 1e-12 * highest && std::abs(at(open, lowest)) < 10.0) lowest *= 0.1;
+  while (lowest > 1e-12 * highest && std::abs(open(lowest)) < 10.0) lowest *= 0.1;
   return decades(lowest, highest, searchSteps);
 }
 
@@ -109,21 +105,27 @@ ClosedResponse closedResponse(const ServoLoop& loop, const std::vector<double>& 
 }
 
 LoopMargins margins(const ServoLoop& loop) {
+  return margins(closedLoop(loop), openLoop(loop));
+}
+
+LoopMargins margins(const DiscreteSystem& closed, const DiscreteSystem& cut) {
   LoopMargins found;
-  const auto closedPoles = poles(closedLoop(loop));
+  const auto closedPoles = poles(closed);
   found.stable = std::abs(closedPoles.front()) < 1.0;
   found.damping = damping(closedPoles);
   if (!found.stable) return found;
   found.gainMargin = found.phaseMargin_rad = found.delayMargin_s = HUGE_VAL;
-  const DiscreteSystem open = openLoop(loop);
-  const auto frequencies = searched(open);
-  const auto L = response(open, 0, 0, frequencies);
+  FrequencyResponse open(cut, 0, 0);
+  const auto frequencies = searched(open, cut.tick_s);
+  std::vector<Complex> L;
+  L.reserve(frequencies.size());
+  for (const double frequency : frequencies) L.push_back(open(frequency));
   for (size_t k = 1; k < frequencies.size(); ++k) {
     const double low = frequencies[k - 1], high = frequencies[k];
     if ((gainAboveOne(L[k - 1]) > 0.0) != (gainAboveOne(L[k]) > 0.0)) takeGainCrossing(open, low, high, found);
     if ((imaginaryPart(L[k - 1]) > 0.0) == (imaginaryPart(L[k]) > 0.0)) continue;
     const double frequency = crossing(open, low, high, imaginaryPart);
-    takePhaseCrossing(frequency, at(open, frequency), found);
+    takePhaseCrossing(frequency, open(frequency), found);
   }
   takePhaseCrossing(frequencies.back(), L.back(), found);  // real at π/T without a change of sign
   std::tie(found.peakSensitivity_rad_per_s, found.peakSensitivity) =

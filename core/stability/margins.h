@@ -47,5 +47,7 @@ struct LoopMargins {
 /// Searched over 600 logarithmic steps up to π/T and refined by bisection. Source: Åström, Murray, "Feedback Systems",
 /// 2008, section 9.3 (stability margins). Precondition: check(loop).
 LoopMargins margins(const ServoLoop& loop);
+/// The same of any loop: L(z) is `cut`, one input and one output, and `closed` has its poles once it is closed.
+LoopMargins margins(const DiscreteSystem& closed, const DiscreteSystem& cut);
 
 }  // namespace breakaway

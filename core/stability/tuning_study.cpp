@@ -5,14 +5,19 @@
 
 namespace breakaway {
 
-Result<TuningStudy> studyTuning(const ServoLoop& loop, const Estimate& inertia_kg_m2,
-                                const Estimate& torqueConstant_Nm_per_A, const AutoTuningOptions& options) {
+Result<TuningStudy> studyTuning(ServoLoop loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
+                                const AutoTuningOptions& options, const InnerLoopOptions& inner) {
+  auto chosen = chooseInnerLoops(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options, inner);
+  if (!chosen) return chosen.error();
+  loop.board.current.bandwidth_rad_per_s = chosen->current.bandwidth_rad_per_s;
+  loop.board.velocityBandwidth_rad_per_s = chosen->observer.bandwidth_rad_per_s;
   auto tuning = autoTune(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options);
   if (!tuning) return tuning.error();
   TuningStudy study;
   study.inertia_kg_m2 = inertia_kg_m2;
   study.torqueConstant_Nm_per_A = torqueConstant_Nm_per_A;
   study.sensors = options.noise;
+  study.inner = std::move(*chosen);
   study.tuning = std::move(*tuning);
   study.loop = loop;
   study.loop.mode = ServoMode::velocity;

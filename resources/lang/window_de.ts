@@ -3677,6 +3677,17 @@
     </message>
 </context>
 <context>
+    <name>breakaway::ObserverNoisePlot</name>
+    <message>
+        <source>Noise of the current over the speed observer&apos;s bandwidth</source>
+        <translation>Rauschen des Stroms über der Bandbreite des Geschwindigkeitsbeobachters</translation>
+    </message>
+    <message>
+        <source>board: %1 rad/s</source>
+        <translation>Board: %1 rad/s</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::Page</name>
     <message>
         <source>Reading</source>
@@ -4970,8 +4981,20 @@ Klick: zeigt es im Log</translation>
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>Poles as g grows (1/s)</source>
-        <translation>Pole mit wachsendem g (1/s)</translation>
+        <source>Poles over g (1/s)</source>
+        <translation>Pole über g (1/s)</translation>
+    </message>
+    <message>
+        <source>Poles of the closed loop as g grows</source>
+        <translation>Pole des geschlossenen Kreises mit wachsendem g</translation>
+    </message>
+    <message>
+        <source>Noise (mA)</source>
+        <translation>Rauschen (mA)</translation>
+    </message>
+    <message>
+        <source>The current&apos;s noise with these gains, were the board&apos;s speed observer slower or faster (rad/s); dashed: 2 % of the current limit</source>
+        <translation>Das Rauschen des Stroms mit diesen Verstärkungen, wäre der Geschwindigkeitsbeobachter des Boards langsamer oder schneller (rad/s); gestrichelt: 2 % der Stromgrenze</translation>
     </message>
     <message>
         <source>Apply 1 edit</source>

@@ -10,6 +10,7 @@ class TestBoardWatch : public QObject {
  private slots:
   void hardMotion_isSilent();
   void hardStop_isNoJump();
+  void bounce_isNoJump();
   void slip_isFoundWithItsSize_data();
   void slip_isFoundWithItsSize();
   void overCurrent_tripsAtOnce();
@@ -62,10 +63,34 @@ void TestBoardWatch::hardStop_isNoJump() {
   for (int k = 0; k < 2000; ++k) QVERIFY(watch.step(sound(std::min(k, 1000) * 300.0 * tick_s)) == Trip::none);
 }
 
+/// A stage of tons that its stop throws back again and again, each time somewhat slower: no current made it turn about.
+void TestBoardWatch::bounce_isNoJump() {
+  Watch::Limits heavy = limits();
+  heavy.mostAcceleration_rad_per_s2 = 10.0;
+  for (const double back : {0.3, 0.8, 1.0}) {
+    for (const double start : {0.0, 3.31, 7.77}) {
+      Watch watch(heavy);
+      double angle = start, velocity = 300.0;
+      int bounces = 0;
+      for (int k = 0; k < 10000; ++k) {
+        angle += velocity * tick_s;
+        if (angle > 20.0 || angle < 0.0) {  // thrown back within the tick
+          angle = angle > 20.0 ? 20.0 - back * (angle - 20.0) : -back * angle;
+          velocity *= -back;
+          ++bounces;
+        }
+        const QString place = QString("bounce %1, restitution %2, from %3").arg(bounces).arg(back).arg(start);
+        QVERIFY2(watch.step(sound(angle)) == Trip::none, qPrintable(place));
+      }
+      QVERIFY(bounces > 1);
+    }
+  }
+}
+
 void TestBoardWatch::slip_isFoundWithItsSize_data() {
   QTest::addColumn<double>("counts");
   QTest::addColumn<double>("speed");
-  for (const double counts : {10.0, -10.0, 1000.0, -1000.0}) {
+  for (const double counts : {10.0, -10.0, 200.0, -200.0, 1000.0, -1000.0}) {
     for (const double speed : {0.0, 5.0, -300.0}) QTest::addRow("%g at %g rad/s", counts, speed) << counts << speed;
   }
 }

@@ -54,7 +54,7 @@ const Row rows[] = {
     {"import r.csv --out out/i.csv --json", 0},
     {"commission --turns 1 --bins 36 --run-s 2 --out out/c --json", 4},
     {"export --map out/c/map.json --as json --out out/map.json --json", 1},
-    {"tune --bench out/c/bench.json --out out/tune --json", 9},
+    {"tune --bench out/c/bench.json --out out/tune --json", 11},
     {"profile save --board simulated --profile out/p.json --json", 1},
     {"figures --bins 36 --turns 1 --out out/f --json", 30},
     {"ports --json", 0},

@@ -17,6 +17,7 @@ class TestTune : public QObject {
  private slots:
   void tuning_leavesItsFiles();
   void stiffness_changesTheGains();
+  void bandwidths_areTakenAsGiven();
   void moreDoubt_isSaidAndCostsGain();
   void motorWithoutWinding_isTunedWithAnIdealCurrent();
   void contradiction_isGoneOnWithAndStaysInTheFile();
@@ -65,7 +66,8 @@ void TestTune::tuning_leavesItsFiles() {
   folder.write("b.json", servo);
   const Outcome outcome = tune(folder, "--bench b.json --out t");
   QVERIFY2(outcome.status == 0 && outcome.err.isEmpty(), qPrintable(outcome.err));
-  for (const char* words : {"Tuned medium", "gain margin", "phase margin", "αgT", "Noise", "mNm rms"})
+  for (const char* words : {"Tuned medium", "gain margin", "phase margin", "αgT", "Noise", "mNm rms",
+                            "Speed observer: ", "chosen", "(the boards' own)", "Current loop: ", "current mA rms"})
     QVERIFY2(outcome.out.contains(QString::fromUtf8(words)), words);
   const QJsonObject json = tuningIn(folder, "t");
   QCOMPARE(json["schema"].toString(), QString("breakaway.tuning/1"));
@@ -80,11 +82,19 @@ void TestTune::tuning_leavesItsFiles() {
   QCOMPARE(bench->controller.observerCutoff_rad_per_s, cutoffIn(folder, "t"));
   QCOMPARE(bench->controller.currentLimit_A, 4.0);
   QCOMPARE(*bench->motor.inertia, 6e-5);
-  for (const char* name : {"root_locus", "root_locus_s", "loop_gain", "loop_phase", "sensitivity", "load", "noise"})
+  for (const char* name : {"root_locus", "root_locus_s", "loop_gain", "loop_phase", "sensitivity", "load", "noise",
+                           "speed_observer", "current_loop"})
     QVERIFY2(contentOf(folder, QString("t/figures/%1.svg").arg(name)).startsWith("<svg"), name);
   QCOMPARE(contentOf(folder, "t/root_locus.csv").count('\n'), qsizetype{301});
   QCOMPARE(contentOf(folder, "t/response.csv").count('\n'), qsizetype{401});
   QCOMPARE(contentOf(folder, "t/noise.csv").count('\n'), qsizetype{61});
+  QCOMPARE(contentOf(folder, "t/speed_observer.csv").count('\n'), qsizetype{15});
+  QCOMPARE(contentOf(folder, "t/current_loop.csv").count('\n'), qsizetype{15});
+  QCOMPARE(valueAt(json, "speed_observer/source").toString(), QString("chosen"));
+  QCOMPARE(valueAt(json, "speed_observer/bandwidth_rad_per_s"), valueAt(json, "loop/velocity_bandwidth_rad_per_s"));
+  QCOMPARE(valueAt(json, "current_loop/bandwidth_rad_per_s"), valueAt(json, "loop/current_bandwidth_rad_per_s"));
+  QCOMPARE(valueAt(json, "speed_observer/board_rad_per_s").toDouble(), 400.0);
+  QVERIFY(valueAt(json, "noise/current_reference_rms_A").toDouble() <= 1.001 * 0.02 * 4.0);
 }
 
 void TestTune::stiffness_changesTheGains() {
@@ -93,6 +103,18 @@ void TestTune::stiffness_changesTheGains() {
   for (const char* name : {"soft", "stiff"})
     QCOMPARE(tune(folder, QString("--bench b.json --stiffness %1 --out %1").arg(name)).status, 0);
   QVERIFY(cutoffIn(folder, "stiff") > 1.5 * cutoffIn(folder, "soft"));
+}
+
+void TestTune::bandwidths_areTakenAsGiven() {
+  const TemporaryFolder folder;
+  folder.write("b.json", servo);
+  const Outcome given = tune(folder, "--bench b.json --out g --velocity-bandwidth 700 --current-bandwidth 450");
+  QVERIFY2(given.status == 0 && given.out.contains("Speed observer: 700 rad/s, given"), qPrintable(given.out));
+  QCOMPARE(valueAt(tuningIn(folder, "g"), "loop/velocity_bandwidth_rad_per_s").toDouble(), 700.0);
+  QCOMPARE(valueAt(tuningIn(folder, "g"), "loop/current_bandwidth_rad_per_s").toDouble(), 450.0);
+  const Outcome boards = tune(folder, "--bench b.json --out b --board-bandwidths");
+  QVERIFY2(boards.out.contains("Current loop: 300 rad/s, as Breakaway's own boards have it"), qPrintable(boards.out));
+  QCOMPARE(valueAt(tuningIn(folder, "b"), "speed_observer/source").toString(), QString("board"));
 }
 
 void TestTune::moreDoubt_isSaidAndCostsGain() {
