@@ -9,6 +9,7 @@
 
 #include "base/json_object.h"
 #include "recording/columns.h"
+#include "recording/import/assign_motion.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/foreign_names.h"
 #include "recording/import/joined_words.h"
@@ -269,16 +270,9 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   const size_t place = bestFor(table, map, choices, "position_m"),
                rotation = bestFor(table, map, choices, "velocity_rad_per_s");
   if (std::max(place, rotation) < choices.size()) setStrangePlaceAside(table, place, rotation, choices);
-  constexpr int most = 8;
-  bool again = true;
-  for (int k = 0; k < most && again; ++k) {
-    const size_t angle = bestFor(table, map, choices, "angle_rad"),
-                 speed = bestFor(table, map, choices, "velocity_rad_per_s");
-    if (angle < choices.size() && preferMotorsAngle(table, angle, choices)) continue;
-    again = std::max(angle, speed) < choices.size() &&
-            (preferMotorsSpeed(table, angle, speed, choices) || setStrangersAside(table, angle, speed, choices) ||
-             preferNamesake(table, angle, speed, choices));
-  }
+  std::vector<int> ranks;
+  for (size_t c = 0; c < choices.size(); ++c) ranks.push_back(rankOf(table.columns[c], choices[c], map));
+  assignMotion(table, ranks, choices);
 }
 
 /// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a
