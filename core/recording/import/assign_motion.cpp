@@ -110,11 +110,14 @@ class Assignment {
 
   void findDrives() {
     static constexpr size_t most = 6;
+    static constexpr auto outputs = std::to_array<std::string_view>({"control", "ctrl", "u", "action", "effort"});
     size_t drives = 0;
-    for (const std::string_view to : {"torque_Nm", "current_A", "voltage_V", "duty"}) {
+    for (const std::string_view to : {"torque_Nm", "current_A", "voltage_V", "duty", ""}) {
       for (size_t c = 0; c < choices_.size() && drives < most; ++c) {
-        const bool open = choices_[c].name.to == to && !table_.columns[c].fault;
-        if (!open || !(rangeOf(table_.columns[c].channel.values) > 0.0)) continue;
+        const RawColumn& column = table_.columns[c];
+        bool open = choices_[c].name.to == to && !column.fault && rangeOf(column.channel.values) > 0.0;
+        if (to.empty()) open = open && firstIn(wordsOf(column.channel.name, true), outputs) != nullptr;
+        if (!open) continue;
         ++drives;
         for (Mover& one : movers_) {
           const std::vector<double> drive = begin(table_.columns[c].channel.values);

@@ -100,4 +100,9 @@ inline constexpr auto electricalWords =
 inline constexpr auto drivenWords =
     std::to_array<std::string_view>({"load", "link", "output", "slave", "secondary", "arm", "gear", "driven", "wheel"});
 
+/// Not measured but reckoned: taken only where what was measured isn't there.
+inline constexpr auto estimateWords =
+    std::to_array<std::string_view>({"hat", "est", "estimate", "estimated", "estimator", "observer", "observed", "obs",
+                                     "kf", "ekf", "kalman", "smo", "sensorless"});
+
 }  // namespace breakaway

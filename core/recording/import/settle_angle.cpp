@@ -44,6 +44,8 @@ Result<void> Settling::takeAngle() {
   const double turns = period ? *period * fate.scale * perTurn / turn_rad : 0.0;
   const bool whole = std::abs(turns - 1.0) < 1e-3;
   const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
+  if (whole && speed && !electrical && !choices_[*c].byMap && !choices_[*c].byTool && isElectrical(*c, *period, *speed))
+    return {};
   if (period && (whole || overflow)) {
     unwindBy(angle, *period, whole);
   } else if (fate.scale != 0.0) {
@@ -51,6 +53,32 @@ Result<void> Settling::takeAngle() {
   }
   apply(*c);
   return {};
+}
+
+bool Settling::isElectrical(size_t c, double period, size_t speed) {
+  constexpr double mostPolePairs = 40.0, within = 0.03, alike = 0.95, little = 0.6, halfTurn = 0.4;
+  std::vector<double> angle = values(c);
+  const Unwound unwound = unwind(angle, period, time_.pauses);
+  convert(angle, turn_rad / period, 0.0);
+  const auto motion = compareMotion(time_.time_s, angle, values(speed), time_.pauses);
+  const std::string& beside = fates_[speed].from;
+  if (!motion) return false;
+  if (unwound.largestStep > halfTurn && std::abs(motion->correlation) < little) {
+    keep(c, message("starts anew too often for its rows to tell the way, and doesn't go with {}", beside));
+    return true;
+  }
+  if (fates_[speed].unit.empty() || choices_[speed].name.needs != UnitNeeds::nothing) return false;
+  const double times = std::abs(motion->factor / (fates_[speed].scale * gear(fates_[speed].to)));
+  const double pairs = std::round(times);
+  if (std::abs(motion->correlation) < alike || pairs < 2.0 || pairs > mostPolePairs ||
+      std::abs(times / pairs - 1.0) > within)
+    return false;
+  const std::string count = std::to_string(static_cast<int>(pairs));
+  fates_[speed].guessed = true;
+  fates_[speed].why = message("{} turns {} times as fast, in electrical turns or before a gear", fates_[c].from, count);
+  fates_[speed].doubt = fates_[speed].why;
+  keep(c, message("turns {} times as fast as {}, as in electrical turns", count, beside));
+  return true;
 }
 
 void Settling::sayIfAmbiguous(const std::vector<double>& angle, double turn) {
