@@ -243,13 +243,16 @@ std::string axisOf(const std::vector<Choice>& choices) {
 /// stands behind one that needs no telling.
 int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) {
   const UnitNeeds needs = choice.name.needs;
-  const bool lacks =
-      (needs == UnitNeeds::countsPerRev && !map.counts_per_rev) || (needs == UnitNeeds::polePairs && !map.pole_pairs);
+  constexpr double manyTurns = 30.0;  // whole numbers that go so far are counted, and nobody says in what
   const auto& values = column.channel.values;
+  const bool counted =
+      choice.name.to == "angle_rad" && choice.name.unit.empty() && areWhole(values) && rangeOf(values) >= manyTurns;
+  const bool lacks = ((needs == UnitNeeds::countsPerRev || counted) && !map.counts_per_rev) ||
+                     (needs == UnitNeeds::polePairs && !map.pole_pairs);
   const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                          return std::isfinite(a) && std::isfinite(b) && a != b;
                        }) != values.end();
-  return standing(choice) + (changes ? 0 : 20) + (lacks ? 2 : 0);
+  return standing(choice) + (changes ? 0 : 20) + (lacks ? 4 : 0);
 }
 
 /// The column that would be taken as `to`; the number of columns where there is none.

@@ -164,14 +164,12 @@ void takeSides(const RawTable& table, std::vector<Choice>& choices) {
 
 /// "spd" beside "spd_fb" and no other reference is what "spd_fb" shall be; beside another one it is neither.
 void takeUnmarkedReferences(const RawTable& table, std::vector<Choice>& choices) {
-  static constexpr auto measured = std::to_array<std::string_view>(
-      {"fb", "fbk", "fdb", "feedback", "act", "actual", "meas", "measured", "msr", "ist", "istwert"});
   const auto told = [&](size_t c) {
     return choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
   };
   for (size_t k = 0; k < choices.size(); ++k) {
     Words words = wordsOf(table.columns[k].channel.name, true);
-    const bool marked = std::erase_if(words, [](const std::string& word) { return isIn(measured, word); }) > 0;
+    const bool marked = std::erase_if(words, [](const std::string& word) { return isIn(measuredWords, word); }) > 0;
     const std::string to = choices[k].name.to;
     const std::string reference =
         to.empty() ? "" : std::string(to).insert(std::min(to.find('_'), to.size()), "_reference");
