@@ -69,6 +69,8 @@ class TestImportByValues : public QObject {
   void estimate_yieldsToWhatWasMeasured();
   void angleInElectricalTurns_isKeptBesideItsSpeed_data();
   void angleInElectricalTurns_isKeptBesideItsSpeed();
+  void speedInElectricalTurns_isKeptBesideItsAngle();
+  void wayFromRowToRow_isNoAngle();
   void dutyOfUnknownScale_isKeptBesideACurrent();
   void largeValuesOfALetterAlone_areKept();
   void countsWithoutAUnit_yieldToAnAngleThatTellsIt();
@@ -378,6 +380,23 @@ void TestImportByValues::angleInElectricalTurns_isKeptBesideItsSpeed() {
   QCOMPARE(meaning(*log, "Motor_Angle"), taken ? std::string("angle_rad") : std::string());
   QCOMPARE(meaning(*log, "Motor_Speed [rpm]"), std::string("velocity_rad_per_s"));
   QCOMPARE(fateOf(*log, "Motor_Speed [rpm]").guessed, times == 5.0);
+}
+
+void TestImportByValues::speedInElectricalTurns_isKeptBesideItsAngle() {
+  const auto rpm = [](int k) { return 7.0 * speedOfMotion(k) * 30.0 / std::numbers::pi; };
+  const auto log = logOf({{"time_s", clockOf}, {"theta_rad", turnedBy}, {"rpm", rpm}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "rpm"), std::string());
+  QCOMPARE(meaning(*log, "theta_rad"), std::string("angle_rad"));
+  QVERIFY(fateOf(*log, "theta_rad").guessed);  // the speed may be before a gear
+}
+
+void TestImportByValues::wayFromRowToRow_isNoAngle() {
+  const auto way = [](int k) { return (turnedBy(k) - turnedBy(k - 1)) * 180.0 / std::numbers::pi; };
+  const auto log = logOf({{"time_s", clockOf}, {"angle_deg", way}, {"omega_rad_s", speedOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  QCOMPARE(meaning(*log, "omega_rad_s"), std::string("velocity_rad_per_s"));
 }
 
 void TestImportByValues::dutyOfUnknownScale_isKeptBesideACurrent() {

@@ -37,6 +37,8 @@ constexpr double clearly = 3.0;          // ahead of another motion
 // Of what two motions have in common.
 constexpr double much = 0.9, little = 0.6, nextToNothing = 0.3;
 
+constexpr double moreThanNoise = 0.15;  // of a drive that a motion explains
+
 enum class Owner { nobody, another, joint, motor };
 
 /// A column that may be where the motor is or how fast.
@@ -250,7 +252,7 @@ class Assignment {
       points += pointsOf(*one);
       driven = std::max(driven, movers_[*one].driven);
     }
-    if (driven > nextToNothing) points += ofWhatDrivesIt * driven;
+    if (driven > moreThanNoise) points += ofWhatDrivesIt * driven;
     if (!angle || !speed) return points;
     const double alike = common(*angle, *speed).value_or(much);
     if (alike >= much) points += goesWith;
