@@ -45,12 +45,14 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
           return one.name.to == to.substr(0, end) + to.substr(end + std::string_view("_reference").size()) &&
                  unitNamed(one.name.unit) == own.unit;
         });
-    const bool itsOwn = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {  // "spd_fb" is taken
-      Words taken = wordsOf(table.columns[static_cast<size_t>(&one - choices.data())].channel.name, true);
+    bool itsOwn = false;  // "spd_fb" is taken, and "spd" isn't
+    for (size_t c = 0; c < choices.size() && !itsOwn; ++c) {
+      const std::string& of = choices[c].name.to;
+      Words taken = wordsOf(table.columns[c].channel.name, true);
       const bool marked = std::erase_if(taken, [](const std::string& word) { return isIn(measuredWords, word); }) > 0;
-      return marked && taken == words && one.name.to.starts_with(to.substr(0, end)) &&
-             one.name.to.find("_reference") == std::string::npos;
-    });
+      itsOwn =
+          marked && taken == words && of.starts_with(to.substr(0, end)) && of.find("_reference") == std::string::npos;
+    }
     if (itsOwn) continue;
     for (size_t c = 0; c < choices.size(); ++c) {
       const bool sameUnit = alone && c != r && !choices[c].name.understood() && !table.columns[c].fault &&
