@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "recording/import/import.h"
 #include "support/temporary.h"
@@ -62,6 +63,17 @@ class TestImportByValues : public QObject {
   void jointAlone_isItsAngleWhereNothingElseMoves();
   void referenceOfWhatMovesOtherwise_isKept();
   void axisByAnUnknownWord_hasItsTorque();
+  void motionThatTheTorqueDrives_isTaken_data();
+  void motionThatTheTorqueDrives_isTaken();
+  void plainNameBesideAMeasuredOne_isItsReference();
+  void estimate_yieldsToWhatWasMeasured();
+  void angleInElectricalTurns_isKeptBesideItsSpeed_data();
+  void angleInElectricalTurns_isKeptBesideItsSpeed();
+  void speedInElectricalTurns_isKeptBesideItsAngle();
+  void wayFromRowToRow_isNoAngle();
+  void dutyOfUnknownScale_isKeptBesideACurrent();
+  void largeValuesOfALetterAlone_areKept();
+  void countsWithoutAUnit_yieldToAnAngleThatTellsIt();
 
  private:
   Result<Imported> logOf(const std::vector<NamedWave>& columns, int rows = 600) {
@@ -290,6 +302,129 @@ void TestImportByValues::axisByAnUnknownWord_hasItsTorque() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "iiwa_joint_1_tau"), std::string("torque_Nm"));
   QCOMPARE(meaning(*log, "iiwa_joint_2_tau"), std::string());
+}
+
+/// A motion of something else, and how fast it is.
+static double placeElsewhere(int k) {
+  return 3.0 * std::sin(0.017 * k + 0.5) + 2.0 * std::sin(0.031 * k);
+}
+
+static double speedElsewhere(int k) {
+  return (3.0 * 0.017 * std::cos(0.017 * k + 0.5) + 2.0 * 0.031 * std::cos(0.031 * k)) / stepOfMotion_s;
+}
+
+void TestImportByValues::motionThatTheTorqueDrives_isTaken_data() {
+  QTest::addColumn<bool>("drives");
+  QTest::addColumn<QString>("taken");
+  QTest::newRow("the second's") << true << "table";
+  QTest::newRow("neither's") << false << "stage";
+}
+
+void TestImportByValues::motionThatTheTorqueDrives_isTaken() {
+  QFETCH(bool, drives);
+  QFETCH(QString, taken);
+  const auto log = logOf({{"time_s", clockOf},
+                          {"stage_angle_rad", placeElsewhere},
+                          {"stage_speed_rad_s", speedElsewhere},
+                          {"table_angle_rad", turnedBy},
+                          {"table_speed_rad_s", speedOfMotion},
+                          {"torque_Nm", drives ? torqueOfMotion : elsewhere}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, taken.toStdString() + "_angle_rad"), std::string("angle_rad"));
+  QCOMPARE(meaning(*log, taken.toStdString() + "_speed_rad_s"), std::string("velocity_rad_per_s"));
+  QCOMPARE(fateOf(*log, taken.toStdString() + "_angle_rad").guessed, !drives);  // nothing but their order told
+}
+
+void TestImportByValues::plainNameBesideAMeasuredOne_isItsReference() {
+  const auto wanted = [](int k) { return speedOfMotion(k + 2); };
+  const auto log = logOf({{"time_s", clockOf}, {"spd[rad/s]", wanted}, {"spd_fb[rad/s]", speedOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "spd_fb[rad/s]"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "spd[rad/s]"), std::string("velocity_reference_rad_per_s"));
+  QVERIFY(fateOf(*log, "spd[rad/s]").guessed);
+  const auto told = logOf({{"time_s", clockOf}, {"spd_ref", wanted}, {"spd", elsewhere}, {"spd_fb", speedOfMotion}});
+  VERIFY_OK(told);
+  QCOMPARE(meaning(*told, "spd_fb"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*told, "spd_ref"), std::string("velocity_reference_rad_per_s"));
+  QCOMPARE(meaning(*told, "spd"), std::string());
+}
+
+void TestImportByValues::estimate_yieldsToWhatWasMeasured() {
+  const auto late = [](int k) { return speedOfMotion(k - 8); };
+  const auto log = logOf({{"time_s", clockOf}, {"omega_hat", late}, {"omega", speedOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "omega"), std::string("velocity_rad_per_s"));
+  const auto alone = logOf({{"time_s", clockOf}, {"omega_hat", late}});
+  VERIFY_OK(alone);
+  QCOMPARE(meaning(*alone, "omega_hat"), std::string("velocity_rad_per_s"));
+}
+
+void TestImportByValues::angleInElectricalTurns_isKeptBesideItsSpeed_data() {
+  QTest::addColumn<double>("times");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("mechanical") << 1.0 << true;
+  QTest::newRow("five pole pairs") << 5.0 << false;
+  QTest::newRow("too fast for its rows") << 28.3 << false;
+}
+
+void TestImportByValues::angleInElectricalTurns_isKeptBesideItsSpeed() {
+  QFETCH(double, times);
+  QFETCH(bool, taken);
+  const auto angle = [times](int k) {
+    const double degrees = std::fmod(times * turnedBy(k) * 180.0 / std::numbers::pi, 360.0);
+    return degrees < 0.0 ? degrees + 360.0 : degrees;
+  };
+  const auto rpm = [](int k) { return speedOfMotion(k) * 30.0 / std::numbers::pi; };
+  const auto log = logOf({{"time_s", clockOf}, {"Motor_Angle", angle}, {"Motor_Speed [rpm]", rpm}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "Motor_Angle"), taken ? std::string("angle_rad") : std::string());
+  QCOMPARE(meaning(*log, "Motor_Speed [rpm]"), std::string("velocity_rad_per_s"));
+  QCOMPARE(fateOf(*log, "Motor_Speed [rpm]").guessed, times == 5.0);
+}
+
+void TestImportByValues::speedInElectricalTurns_isKeptBesideItsAngle() {
+  const auto rpm = [](int k) { return 7.0 * speedOfMotion(k) * 30.0 / std::numbers::pi; };
+  const auto log = logOf({{"time_s", clockOf}, {"theta_rad", turnedBy}, {"rpm", rpm}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "rpm"), std::string());
+  QCOMPARE(meaning(*log, "theta_rad"), std::string("angle_rad"));
+  QVERIFY(fateOf(*log, "theta_rad").guessed);  // the speed may be before a gear
+}
+
+void TestImportByValues::wayFromRowToRow_isNoAngle() {
+  const auto way = [](int k) { return (turnedBy(k) - turnedBy(k - 1)) * 180.0 / std::numbers::pi; };
+  const auto log = logOf({{"time_s", clockOf}, {"angle_deg", way}, {"omega_rad_s", speedOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  QCOMPARE(meaning(*log, "omega_rad_s"), std::string("velocity_rad_per_s"));
+}
+
+void TestImportByValues::dutyOfUnknownScale_isKeptBesideACurrent() {
+  const auto pwm = [](int k) { return std::round(60.0 * speedOfMotion(k)); };
+  const auto log = logOf({{"time_s", clockOf}, {"omega_rad_s", speedOfMotion}, {"pwm", pwm}, {"iq_A", torqueOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "pwm"), std::string());
+  QCOMPARE(meaning(*log, "iq_A"), std::string("current_A"));
+  QVERIFY(!logOf({{"time_s", clockOf}, {"omega_rad_s", speedOfMotion}, {"pwm", pwm}}).ok());  // asks
+}
+
+void TestImportByValues::largeValuesOfALetterAlone_areKept() {
+  const auto log = logOf({{"time_s", clockOf},
+                          {"omega_rad_s", speedOfMotion},
+                          {"I", [](int k) { return 2e4 * torqueOfMotion(k); }},
+                          {"U", [](int k) { return 0.5 * speedOfMotion(k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "I"), std::string());
+  QCOMPARE(meaning(*log, "U"), std::string("voltage_V"));
+  QVERIFY(!log->remarks.empty());
+}
+
+void TestImportByValues::countsWithoutAUnit_yieldToAnAngleThatTellsIt() {
+  const auto counts = [](int k) { return std::round(500.0 * turnedBy(k)); };
+  const auto degrees = [](int k) { return turnedBy(k) * 180.0 / std::numbers::pi; };
+  const auto log = logOf({{"ms", [](int k) { return 10.0 * k; }}, {"step_pos", counts}, {"motor_deg", degrees}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "motor_deg"), std::string("angle_rad"));
 }
 
 QTEST_APPLESS_MAIN(TestImportByValues)

@@ -49,6 +49,13 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                    << "";
   QTest::newRow("an actuator's force") << QStringList{"joint_angle", "actuator_force"} << "actuator_force"
                                        << "torque_Nm";
+  QTest::newRow("a side within a name") << QStringList{"rpm_L_real", "rpm_R_real"} << "rpm_L_real"
+                                        << "velocity_rad_per_s";
+  QTest::newRow("the other side within a name") << QStringList{"rpm_L_real", "rpm_R_real"} << "rpm_R_real"
+                                                << "";
+  QTest::newRow("an electrical torque before a shaft's")
+      << QStringList{"w_rad_s", "drive.tauElectrical", "drive.tauShaft"} << "drive.tauElectrical"
+      << "torque_Nm";
   QTest::newRow("a torque by a current") << QStringList{"motor_angle", "motor_torque_from_current"}
                                          << "motor_torque_from_current"
                                          << "torque_Nm";
@@ -324,6 +331,8 @@ void TestImportNames::numberedNamesAboveTheRows_areTheColumns_data() {
   QTest::addColumn<bool>("taken");
   QTest::newRow("from 1, behind %") << "% 1 time (s)\n% 2 angle (rad)\n% 3 motor current\n" << true;
   QTest::newRow("from 0, as text") << "0: time (s)\n1: angle (rad)\n2: motor current\n" << true;
+  QTest::newRow("behind a word") << "% NAME0 = time (s)\n% NAME1 = angle (rad)\n% NAME2 = motor current\n" << true;
+  QTest::newRow("a word and a number alone") << "% name0 time\n% name1 angle\n% name2 motor current\n" << false;
   QTest::newRow("in a line that says so") << "% columns: time  angle  motor current\n" << true;
   QTest::newRow("one too few") << "% 1 time (s)\n% 2 angle (rad)\n" << false;
   QTest::newRow("one is missing") << "% 1 time (s)\n% 3 angle (rad)\n% 4 motor current\n" << false;

@@ -9,6 +9,7 @@
 
 #include "base/json_object.h"
 #include "recording/columns.h"
+#include "recording/import/assign_motion.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/foreign_names.h"
 #include "recording/import/joined_words.h"
@@ -242,13 +243,16 @@ std::string axisOf(const std::vector<Choice>& choices) {
 /// stands behind one that needs no telling.
 int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) {
   const UnitNeeds needs = choice.name.needs;
-  const bool lacks =
-      (needs == UnitNeeds::countsPerRev && !map.counts_per_rev) || (needs == UnitNeeds::polePairs && !map.pole_pairs);
+  constexpr double manyTurns = 30.0;  // whole numbers that go so far are counted, and nobody says in what
   const auto& values = column.channel.values;
+  const bool counted =
+      choice.name.to == "angle_rad" && choice.name.unit.empty() && areWhole(values) && rangeOf(values) >= manyTurns;
+  const bool lacks = ((needs == UnitNeeds::countsPerRev || counted) && !map.counts_per_rev) ||
+                     (needs == UnitNeeds::polePairs && !map.pole_pairs);
   const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                          return std::isfinite(a) && std::isfinite(b) && a != b;
                        }) != values.end();
-  return standing(choice) + (changes ? 0 : 20) + (lacks ? 2 : 0);
+  return standing(choice) + (changes ? 0 : 20) + (lacks ? 4 : 0);
 }
 
 /// The column that would be taken as `to`; the number of columns where there is none.
@@ -269,16 +273,9 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   const size_t place = bestFor(table, map, choices, "position_m"),
                rotation = bestFor(table, map, choices, "velocity_rad_per_s");
   if (std::max(place, rotation) < choices.size()) setStrangePlaceAside(table, place, rotation, choices);
-  constexpr int most = 8;
-  bool again = true;
-  for (int k = 0; k < most && again; ++k) {
-    const size_t angle = bestFor(table, map, choices, "angle_rad"),
-                 speed = bestFor(table, map, choices, "velocity_rad_per_s");
-    if (angle < choices.size() && preferMotorsAngle(table, angle, choices)) continue;
-    again = std::max(angle, speed) < choices.size() &&
-            (preferMotorsSpeed(table, angle, speed, choices) || setStrangersAside(table, angle, speed, choices) ||
-             preferNamesake(table, angle, speed, choices));
-  }
+  std::vector<int> ranks;
+  for (size_t c = 0; c < choices.size(); ++c) ranks.push_back(rankOf(table.columns[c], choices[c], map));
+  assignMotion(table, ranks, choices);
 }
 
 /// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a

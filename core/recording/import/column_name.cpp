@@ -319,7 +319,8 @@ ColumnName taken(NameReading& name) {
   if (name.kind == UnitKind::current && !q) ++rank;
   if (name.kind == UnitKind::temperature && !name.has("motor") && !name.has("mot") && !name.has("winding")) ++rank;
   if (name.kind == UnitKind::time && name.unknownBefore > 0) rank += 2;  // "loop_time" after "time"
-  if (moves && (name.electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
+  if ((name.turns() && name.electrical) || (moves && firstIn(parts.words, drivenWords) != nullptr)) ++rank;
+  if (name.turns() && firstIn(parts.words, estimateWords) != nullptr) ++rank;  // "omega_hat" after "omega"
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;

@@ -40,13 +40,8 @@ double columnsVaryAlike(const RawTable& table, size_t angle, size_t speed) {
   return variesAlike(turned, begin(speed));
 }
 
-bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {
-  const Words words = wordsOf(table.columns[c].channel.name, true);
-  return firstIn(words, jointWords) != nullptr || isIn(words, "wheel") || isIn(words, "rotor") ||
-         isIn(words, "shaft") || isIn(words, "rpm") || choice.name.unit == "rpm";
-}
+}  // namespace
 
-/// The name's words without those that surely name a quantity: what "omega_enc" and "theta_enc" share.
 Words wordsBesideQuantity(const RawTable& table, size_t c) {
   Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
   std::erase_if(words, [](const std::string& word) {
@@ -54,25 +49,6 @@ Words wordsBesideQuantity(const RawTable& table, size_t c) {
     return quantity != nullptr && !quantity->weak;
   });
   return words;
-}
-
-}  // namespace
-
-bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
-  const Words called = wordsBesideQuantity(table, angle);
-  if (choices[speed].byMap || choices[speed].byTool || called.empty()) return false;
-  if (wordsBesideQuantity(table, speed) == called) return false;
-  const ColumnName taken = choices[speed].name;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const ColumnName& name = choices[c].name;
-    const bool alike = c != speed && name.to == taken.to && name.unit == taken.unit && name.rank == taken.rank &&
-                       name.qualified == taken.qualified;
-    if (!alike || wordsBesideQuantity(table, c) != called || commonOf(table, angle, c) < 0.9) continue;
-    setAside(choices[speed], message("is called otherwise than {}, as {} is", table.columns[angle].channel.name,
-                                     table.columns[c].channel.name));
-    return true;
-  }
-  return false;
 }
 
 namespace {
@@ -242,115 +218,6 @@ bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, 
   if (commonOf(table, position, speed) > little) return false;  // a screw, a belt
   setAside(choices[position],
            message("moves otherwise than {}, which is the motor's", table.columns[speed].channel.name));
-  return true;
-}
-
-namespace {
-
-/// Whether one is as fast as the other, whatever their signs and units.
-bool areAsFast(const std::vector<double>& one, const std::vector<double>& other) {
-  constexpr double alike = 0.9;
-  double both = 0.0, first = 0.0, second = 0.0;
-  for (size_t k = 0; k < one.size(); ++k) {
-    if (!std::isfinite(one[k]) || !std::isfinite(other[k])) continue;
-    both += std::abs(one[k] * other[k]);
-    first += one[k] * one[k];
-    second += other[k] * other[k];
-  }
-  return both > alike * std::sqrt(first * second);
-}
-
-}  // namespace
-
-bool preferMotorsSpeed(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
-  constexpr double little = 0.6;
-  const auto isOwned = [&](size_t c) {
-    const Choice& choice = choices[c];
-    return choice.byMap || choice.byTool || choice.name.qualified || !choice.name.group.empty() ||
-           namesMotor(table, choice, c);
-  };
-  if (isOwned(angle) || isOwned(speed)) return false;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool motors = c != speed && choices[c].name.to == choices[speed].name.to && !choices[c].name.unit.empty() &&
-                        namesMotor(table, choices[c], c);
-    if (!motors || !(rangeOf(table.columns[c].channel.values) > 0.0) || commonOf(table, angle, c) > little) continue;
-    if (areAsFast(table.columns[speed].channel.values, table.columns[c].channel.values)) continue;
-    for (const size_t other : {angle, speed})
-      setAside(choices[other], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
-    return true;
-  }
-  return false;
-}
-
-bool preferMotorsAngle(const RawTable& table, size_t angle, std::vector<Choice>& choices) {
-  constexpr double little = 0.6;
-  static constexpr auto own = std::to_array<std::string_view>({"motor", "mot", "rotor", "shaft", "servo", "encoder"});
-  const auto isMotors = [&table](size_t c) {
-    const Words words = wordsOf(table.columns[c].channel.name, true);
-    return firstIn(words, own) != nullptr ||
-           std::any_of(words.begin(), words.end(), [](const std::string& one) { return one.starts_with("enc"); });
-  };
-  if (choices[angle].byMap || choices[angle].byTool || isMotors(angle)) return false;
-  if (firstIn(wordsOf(table.columns[angle].channel.name, true), jointWords) != nullptr) return false;
-  const auto changes = [&table](size_t c) {
-    std::vector<double> gone = table.columns[c].channel.values;
-    if (const auto period = periodOf(gone, {}, std::nullopt)) unwind(gone, *period, {});
-    return changesOf(gone);
-  };
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool other = c != angle && choices[c].name.to == "angle_rad" && isMotors(c) && !choices[c].byMap &&
-                       rangeOf(table.columns[c].channel.values) > 0.0;
-    if (!other || std::abs(likenessOf(changes(angle), changes(c)).correlation) > little) continue;
-    if (firstIn(wordsOf(table.columns[c].channel.name, true), drivenWords) != nullptr) continue;
-    setAside(choices[angle], message("moves otherwise than {}, which is the motor's", table.columns[c].channel.name));
-    if (choices[c].name.guess.empty()) choices[c].name.guess = message("only its name says that it is the motor's");
-    return true;
-  }
-  return false;
-}
-
-bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
-  constexpr double little = 0.6, most = 0.9;
-  const auto isFixed = [&choices](size_t c) { return choices[c].byMap || choices[c].byTool; };
-  if (isFixed(angle) || isFixed(speed)) return false;
-  std::optional<double> taken;
-  const auto differ = [&] {
-    if (!taken) taken = commonOf(table, angle, speed);
-    return *taken < little;
-  };
-  const auto nameOf = [&table](size_t c) { return table.columns[c].channel.name; };
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string& to = choices[c].name.to;
-    const bool otherAngle = c != angle && to == choices[angle].name.to,
-               otherSpeed = c != speed && to == choices[speed].name.to;
-    if ((!otherAngle && !otherSpeed) || isFixed(c) || !differ()) continue;
-    if (otherAngle && commonOf(table, c, speed) > most) {
-      setAside(choices[angle], message("moves otherwise than {}, with which {} agrees", nameOf(speed), nameOf(c)));
-      return true;
-    }
-    if (!otherSpeed || commonOf(table, angle, c) <= most) continue;
-    if (!namesMotor(table, choices[speed], speed) || namesMotor(table, choices[angle], angle)) {
-      setAside(choices[speed], message("moves otherwise than {}, with which {} agrees", nameOf(angle), nameOf(c)));
-      return true;
-    }
-    const Message why = message("moves otherwise than {}, which is the motor's", nameOf(speed));
-    setAside(choices[angle], why);
-    setAside(choices[c], why);
-    return true;
-  }
-  constexpr double nextToNone = 0.3;
-  // "robot_velocity" beside "hood_angle"
-  const bool strangers = choices[angle].name.qualified && choices[speed].name.qualified &&
-                         wordsBesideQuantity(table, angle) != wordsBesideQuantity(table, speed);
-  if (strangers && differ() && *taken < nextToNone) {
-    setAside(choices[speed], message("moves otherwise than {}, and is called by something else", nameOf(angle)));
-    return true;
-  }
-  const ColumnName& named = choices[angle].name;
-  const bool another = named.qualified && named.unit.empty() && !choices[speed].name.unit.empty() &&
-                       namesMotor(table, choices[speed], speed) && !namesMotor(table, choices[angle], angle);
-  if (!another || !differ() || *taken > nextToNone) return false;
-  setAside(choices[angle], message("moves otherwise than {}, which is the motor's", nameOf(speed)));
   return true;
 }
 

@@ -137,20 +137,59 @@ void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "l_pwm" beside "r_pwm" is of the axis of "left_counts".
+/// "l_pwm" beside "r_pwm" is of the axis of "left_counts", and so is "rpm_L_real" beside "rpm_R_real".
 void takeSides(const RawTable& table, std::vector<Choice>& choices) {
+  constexpr std::string_view marks = "_ .";
   std::set<std::string> names;
   for (const RawColumn& column : table.columns) names.insert(column.channel.name);
   for (size_t c = 0; c < choices.size(); ++c) {
-    std::string other = table.columns[c].channel.name;
-    if (other.size() < 3 || other[1] != '_' || choices[c].byMap) continue;
-    const size_t side = std::string_view("lrLR").find(other[0]);
-    if (side == std::string_view::npos) continue;
-    other[0] = "rlRL"[side];
-    if (!names.contains(other)) continue;
-    if (!choices[c].byTool) choices[c].name = understandName(other.substr(2), table.columns[c].unit);
-    std::string& group = choices[c].name.group;
-    group = std::string(side % 2 == 0 ? "left" : "right") + (group.empty() ? "" : "." + group);
+    const std::string& name = table.columns[c].channel.name;
+    if (choices[c].byMap) continue;
+    for (size_t at = 0; at + 2 < name.size(); ++at) {
+      const size_t side = std::string_view("lrLR").find(name[at]);
+      const bool apart = (at == 0 || marks.find(name[at - 1]) != std::string_view::npos) &&
+                         marks.find(name[at + 1]) != std::string_view::npos && (at > 0 || name[1] == '_');
+      if (side == std::string_view::npos || !apart) continue;
+      std::string other = name;
+      other[at] = "rlRL"[side];
+      if (!names.contains(other)) continue;
+      if (!choices[c].byTool)
+        choices[c].name = understandName(name.substr(0, at) + name.substr(at + 2), table.columns[c].unit);
+      std::string& group = choices[c].name.group;
+      group = std::string(side % 2 == 0 ? "left" : "right") + (group.empty() ? "" : "." + group);
+      break;
+    }
+  }
+}
+
+/// "spd" beside "spd_fb" and no other reference is what "spd_fb" shall be; beside another one it is neither.
+void takeUnmarkedReferences(const RawTable& table, std::vector<Choice>& choices) {
+  const auto told = [&](size_t c) {
+    return choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
+  };
+  for (size_t k = 0; k < choices.size(); ++k) {
+    Words words = wordsOf(table.columns[k].channel.name, true);
+    const bool marked = std::erase_if(words, [](const std::string& word) { return isIn(measuredWords, word); }) > 0;
+    const std::string to = choices[k].name.to;
+    const std::string reference =
+        to.empty() ? "" : std::string(to).insert(std::min(to.find('_'), to.size()), "_reference");
+    if (!marked || words.empty() || !told(k) || (!isMotion(to) && to != "current_A")) continue;
+    const bool another = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+      return one.name.to == reference && one.name.group == choices[k].name.group;
+    });
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const bool plain = c != k && told(c) && choices[c].name.to == to &&
+                         choices[c].name.unit == choices[k].name.unit &&
+                         wordsOf(table.columns[c].channel.name, true) == words;
+      if (!plain) continue;
+      const std::string& of = table.columns[k].channel.name;
+      if (another) {
+        setAside(choices[c], message("isn't called measured, as {} is", of));
+      } else {
+        choices[c].name.to = reference;
+        choices[c].name.guess = message("what {} shall be", of);
+      }
+    }
   }
 }
 
@@ -320,6 +359,7 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeLettersWithUnits(table, choices);
   takeSides(table, choices);
   takePresent(table, choices);
+  takeUnmarkedReferences(table, choices);
   takeLettersBeside(table, choices);
   setVehiclesWayAside(table, choices);
   setCountsBesideMetresAside(table, map, choices);

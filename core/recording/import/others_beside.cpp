@@ -45,6 +45,15 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
           return one.name.to == to.substr(0, end) + to.substr(end + std::string_view("_reference").size()) &&
                  unitNamed(one.name.unit) == own.unit;
         });
+    bool itsOwn = false;  // "spd_fb" is taken, and "spd" isn't
+    for (size_t c = 0; c < choices.size() && !itsOwn; ++c) {
+      const std::string& of = choices[c].name.to;
+      Words taken = wordsOf(table.columns[c].channel.name, true);
+      const bool marked = std::erase_if(taken, [](const std::string& word) { return isIn(measuredWords, word); }) > 0;
+      itsOwn =
+          marked && taken == words && of.starts_with(to.substr(0, end)) && of.find("_reference") == std::string::npos;
+    }
+    if (itsOwn) continue;
     for (size_t c = 0; c < choices.size(); ++c) {
       const bool sameUnit = alone && c != r && !choices[c].name.understood() && !table.columns[c].fault &&
                             partsOfName(table.columns[c].channel.name, table.columns[c].unit).unit == own.unit;

@@ -100,4 +100,12 @@ inline constexpr auto electricalWords =
 inline constexpr auto drivenWords =
     std::to_array<std::string_view>({"load", "link", "output", "slave", "secondary", "arm", "gear", "driven", "wheel"});
 
+/// Words that say that something was measured, beside what shall be or what was reckoned.
+inline constexpr auto measuredWords = std::to_array<std::string_view>(
+    {"fb", "fbk", "fdb", "feedback", "act", "actual", "meas", "measured", "msr", "ist", "istwert"});
+/// Not measured but reckoned: taken only where what was measured isn't there.
+inline constexpr auto estimateWords =
+    std::to_array<std::string_view>({"hat", "est", "estimate", "estimated", "estimator", "observer", "observed", "obs",
+                                     "kf", "ekf", "kalman", "smo", "sensorless"});
+
 }  // namespace breakaway

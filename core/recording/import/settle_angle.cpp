@@ -25,6 +25,7 @@ Result<void> Settling::takeAngle() {
     keep(*c, message("never changes although the speed does"));
     return {};
   }
+  if (!choices_[*c].byMap && !choices_[*c].byTool && speed && isWayPerRow(*c, *speed)) return {};
   if (counts && !map_.counts_per_rev) countsBySpeed(*c);
   // An electrical angle tells nothing that a speed beside it needs.
   const bool electrical = choices_[*c].name.needs == UnitNeeds::polePairs && !choices_[*c].byMap;
@@ -44,6 +45,8 @@ Result<void> Settling::takeAngle() {
   const double turns = period ? *period * fate.scale * perTurn / turn_rad : 0.0;
   const bool whole = std::abs(turns - 1.0) < 1e-3;
   const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
+  if (whole && speed && !electrical && !choices_[*c].byMap && !choices_[*c].byTool && isElectrical(*c, *period, *speed))
+    return {};
   if (period && (whole || overflow)) {
     unwindBy(angle, *period, whole);
   } else if (fate.scale != 0.0) {
@@ -51,6 +54,41 @@ Result<void> Settling::takeAngle() {
   }
   apply(*c);
   return {};
+}
+
+bool Settling::isWayPerRow(size_t c, size_t speed) {
+  constexpr double alike = 0.95, little = 0.6;
+  const auto motion = compareMotion(time_.time_s, values(c), values(speed), time_.pauses);
+  if (!motion || std::abs(motion->correlation) > little || !goesBothWays(values(speed))) return false;
+  if (std::abs(likenessOf(values(c), values(speed)).correlation) < alike) return false;
+  keep(c, message("goes as {} itself does: it is the way from row to row", fates_[speed].from));
+  return true;
+}
+
+bool Settling::isElectrical(size_t c, double period, size_t speed) {
+  constexpr double mostPolePairs = 40.0, within = 0.03, alike = 0.95, little = 0.6, halfTurn = 0.4;
+  std::vector<double> angle = values(c);
+  const Unwound unwound = unwind(angle, period, time_.pauses);
+  convert(angle, turn_rad / period, 0.0);
+  const auto motion = compareMotion(time_.time_s, angle, values(speed), time_.pauses);
+  const std::string& beside = fates_[speed].from;
+  if (!motion) return false;
+  if (unwound.largestStep > halfTurn && std::abs(motion->correlation) < little) {
+    keep(c, message("starts anew too often for its rows to tell the way, and doesn't go with {}", beside));
+    return true;
+  }
+  if (fates_[speed].unit.empty() || choices_[speed].name.needs != UnitNeeds::nothing) return false;
+  const double times = std::abs(motion->factor / (fates_[speed].scale * gear(fates_[speed].to)));
+  const double pairs = std::round(times);
+  if (std::abs(motion->correlation) < alike || pairs < 2.0 || pairs > mostPolePairs ||
+      std::abs(times / pairs - 1.0) > within)
+    return false;
+  const std::string count = std::to_string(static_cast<int>(pairs));
+  fates_[speed].guessed = true;
+  fates_[speed].why = message("{} turns {} times as fast, in electrical turns or before a gear", fates_[c].from, count);
+  fates_[speed].doubt = fates_[speed].why;
+  keep(c, message("turns {} times as fast as {}, as in electrical turns", count, beside));
+  return true;
 }
 
 void Settling::sayIfAmbiguous(const std::vector<double>& angle, double turn) {
@@ -235,11 +273,11 @@ void Settling::setGearedAside() {
   };
   static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});
   const auto isMotors = [this](size_t c) { return firstIn(wordsOf(fates_[c].from, true), motors) != nullptr; };
-  if (!isTold(*angle) || choices_[*speed].byMap || fates_[*speed].unit.empty() || isMotors(*angle) == isMotors(*speed))
-    return;
+  if (!isTold(*angle) || choices_[*speed].byMap || fates_[*speed].unit.empty()) return;
   const auto motion = motionOf(*angle, *speed);
   constexpr double alike = 0.95, agrees = 1.2, unitsDiffer = 1.03;
   if (!motion || motion->correlation < alike) return;
+  if (isMotors(*angle) == isMotors(*speed)) return setElectricalSpeedAside(*angle, *speed, 1.0 / motion->factor);
   const double ratio = isMotors(*speed) ? 1.0 / motion->factor : motion->factor;
   if (ratio < agrees) return;
   for (const double units : {turn_rad, 360.0 / turn_rad, 360.0, 60.0, 60.0 / turn_rad, 6.0, 1000.0}) {
@@ -253,6 +291,20 @@ void Settling::setGearedAside() {
                     fates_[other].from, times);
   own.doubt = own.why;
   keep(other, message("turns {} times as slowly as {}, as behind a gear", times, own.from));
+}
+
+void Settling::setElectricalSpeedAside(size_t angle, size_t speed, double times) {
+  constexpr double mostPolePairs = 40.0, within = 0.03;
+  const double pairs = std::round(times);
+  if (choices_[speed].byTool || pairs < 2.0 || pairs > mostPolePairs || pairs == 6.0 ||  // degrees and rpm
+      std::abs(times / pairs - 1.0) > within)
+    return;
+  const std::string count = std::to_string(static_cast<int>(pairs));
+  ColumnFate& own = fates_[angle];
+  own.guessed = true;
+  own.why = message("{} turns {} times as fast, in electrical turns or before a gear", fates_[speed].from, count);
+  own.doubt = own.why;
+  keep(speed, message("turns {} times as fast as {}, as in electrical turns", count, own.from));
 }
 
 void Settling::turnsOrRadians(size_t c) {
@@ -395,6 +447,7 @@ void Settling::checkMotion() {
   const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
   if (!motion) return;
   const double factor = motion->factor;
+  const size_t said = remarks_.size();
   const bool unsignedSpeed =
       std::all_of(values(*speed).begin(), values(*speed).end(), [](double v) { return !(v < 0.0); });
   if (unsignedSpeed && std::abs(motion->correlation) < 0.9) {
@@ -409,6 +462,10 @@ void Settling::checkMotion() {
         "implausible: the angle changes {} times as much as the speed says; a unit of theirs or the time's is wrong",
         shortText(factor)));
   }
+  if (remarks_.size() == said || choices_[*speed].byMap || fates_[*speed].guessed) return;
+  fates_[*speed].guessed = true;
+  fates_[*speed].why = message("it and {} contradict each other", fates_[*angle].from);
+  fates_[*speed].doubt = fates_[*speed].why;
 }
 
 }  // namespace breakaway

@@ -24,6 +24,12 @@ Result<void> Settling::takeDuty() {
     const auto words = wordsOf(fate.from, true);
     const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();
     const auto full = fullDutyOf(duty, pwm);
+    const bool driven = columnOf("current_A") || columnOf("torque_Nm") || columnOf("voltage_V");
+    if (!full && driven && !choices_[*c].byMap) {
+      keep(*c, message("goes up to {}, and nothing tells what is the whole of it: say it with --map",
+                       shortText(largest(duty))));
+      return {};
+    }
     if (!full)
       return dutyBeyond(*c, message("can be the whole of it; say it with --map, e.g. {}",
                                     "{\"columns\": {\"" + fate.from + "\": {\"to\": \"duty\", \"scale\": 0.001}}}"));
@@ -98,7 +104,10 @@ bool Settling::setCountsAside(size_t c) {
   const bool word = quantityNamed(fates_[c].unit) != nullptr && fates_[c].from.find_first_of("([") == std::string::npos;
   const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
   if (most == 0.0 || !guessed) return false;
-  constexpr double withDecimals = 20.0;  // times as much is beyond any motor
+  // Times as much is beyond any motor, or beyond what a letter alone is believed.
+  const Words named = wordsOf(fates_[c].from, true);
+  const bool letter = named.size() == 1 && named[0].size() == 1;
+  const double withDecimals = letter ? 2.5 : 20.0;
   const bool whole = areWhole(values(c)), mechanical = to == "torque_Nm" || to == "force_N";
   if ((!whole && mechanical) || largest(values(c)) <= (whole ? most : withDecimals * most)) return false;
   if (!whole) {

@@ -53,6 +53,13 @@ class Settling {
   void apply(size_t c);
   bool hasMeasuredSpeed() const { return columnOf("velocity_rad_per_s").has_value(); }
   Result<void> takeAngle();
+  /// How far it went from row to row is no angle: it goes as the speed itself does.
+  bool isWayPerRow(size_t c, size_t speed);
+  /// A speed a whole number of times as fast as the angle is in electrical turns, or before a gear: it stays unused.
+  void setElectricalSpeedAside(size_t angle, size_t speed, double times);
+  /// An angle that starts anew with each turn and turns a whole number of times as fast as the speed, in electrical
+  /// turns, say, or too fast for its rows, stays unused.
+  bool isElectrical(size_t c, double period, size_t speed);
   /// Within one turn and with leaps nobody can tell which way it went.
   void sayIfAmbiguous(const std::vector<double>& angle, double turn);
   void unwindBy(std::vector<double>& angle, double period, bool whole);

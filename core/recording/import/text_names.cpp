@@ -288,10 +288,22 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
   if (aboveIsText && countOf(above, knownName) < names) putGroupsBefore(above, found.names);
 }
 
+/// "0 = Target" of "NAME0 = Target", "2: torque" of "Column 2: torque".
+std::string_view withoutColumnWord(std::string_view text) {
+  for (const std::string_view word : {"name", "column", "col", "channel", "field", "signal", "spalte"}) {
+    if (text.size() <= word.size() || !isSameWord(text.substr(0, word.size()), word)) continue;
+    const std::string_view rest = withoutBlanks(text.substr(word.size()));
+    const size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    const std::string_view mark = withoutBlanks(rest.substr(digits));
+    if (digits > 0 && !mark.empty() && (mark.front() == '=' || mark.front() == ':')) return rest;
+  }
+  return text;
+}
+
 /// "12" and "left motor's current" of "% 12 left motor's current"; nothing where no number begins the line.
 std::optional<std::pair<size_t, std::string_view>> numberedName(std::string_view line) {
   constexpr size_t mostDigits = 3;
-  const std::string_view text = withoutCommentMark(line);
+  const std::string_view text = withoutColumnWord(withoutCommentMark(line));
   const size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
   const size_t begin = std::min(text.find_first_not_of(" \t:.)=-", digits), text.size());
   if (digits == 0 || digits > mostDigits || begin == digits || begin == text.size()) return std::nullopt;
