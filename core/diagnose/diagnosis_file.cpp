@@ -83,8 +83,7 @@ Message headline(const Diagnosis& d) {
   std::vector<Message> all;
   for (const Finding& finding : d.findings) {
     std::vector<std::string> one{finding.effect};
-    if (d.verdict != Verdict::named)
-      one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    if (d.verdict != Verdict::named) one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
     all.push_back(joined(one));
   }
   const Message names = listed(all, message(" and "));

@@ -27,7 +27,7 @@ struct WindowDerivative {
 };
 
 struct FitResult {
-  Model model;  ///< with 95 % intervals
+  Model model;                                ///< with 95 % intervals
   std::optional<ParameterVector> parameters;  ///< that x stands for, with the scales of the fit's start; once fitted
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;  ///< of x; robust against correlation within windows (sandwich by window)
