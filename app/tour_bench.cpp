@@ -162,6 +162,9 @@ void Tour::tune() {
     if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }
   shoot("tune-step");
+  press("observerNoiseTab");
+  shoot("tune-noise");
+  press("polesTab");
   press("positionLoopTab");
   const size_t before = session_.bench.steps().size();
   press("measureStepButton");

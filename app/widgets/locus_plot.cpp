@@ -19,7 +19,7 @@ LocusPlot::LocusPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
   setObjectName("locusPlot");
   columnIn(this)->addWidget(plot_);
   plot_->setAccessibleName(tr("Poles of the closed loop as the observer's cutoff grows"));
-  plot_->setMinimumSize(160, 84);
+  plot_->setMinimumSize(160, 72);
   plot_->axisRect()->setMinimumMargins(QMargins(48, 4, 12, 4));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->ticker()->setTickCount(4);
   onNewLook(this, [this] { draw(); });

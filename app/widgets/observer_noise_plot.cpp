@@ -16,7 +16,7 @@ ObserverNoisePlot::ObserverNoisePlot(QWidget* parent) : QWidget(parent), plot_(n
   setObjectName("observerNoisePlot");
   columnIn(this)->addWidget(plot_);
   plot_->setAccessibleName(tr("Noise of the current over the speed observer's bandwidth"));
-  plot_->setMinimumSize(160, 84);
+  plot_->setMinimumSize(160, 72);
   plot_->axisRect()->setMinimumMargins(QMargins(48, 4, 12, 4));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
     axis->setScaleType(QCPAxis::stLogarithmic);

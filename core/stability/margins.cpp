@@ -14,6 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr size_t searchSteps = 600;
+constexpr double noLoop = 1e-12;  ///< a loop gain that is only what rounding leaves of none
 
 /// Where `value` of L changes its sign between two frequencies.
 template <typename Value>
@@ -44,7 +45,7 @@ void takeGainCrossing(FrequencyResponse& open, double low, double high, LoopMarg
 }
 
 void takePhaseCrossing(double frequency_rad_per_s, const Complex& L, LoopMargins& found) {
-  if (L.real() >= 0.0) return;
+  if (L.real() > -noLoop) return;
   const double factor = -1.0 / L.real();
   if (factor < 1.0) {
     found.gainReduction = std::max(found.gainReduction, factor);

@@ -133,7 +133,7 @@ void TestExportGains::command_writesSaysAndRefuses() {
         "drive": {"input": "current_A", "supply_V": 24}, "motor": {"torque_constant_Nm_per_A": 0.07,
         "resistance_ohm": 1.2, "inductance_H": 0.0011, "inertia_kg_m2": 6e-5},
         "controller": {"mode": "open_loop", "current_limit_A": 4}})");
-  QCOMPARE(said("tune --bench b.json --out t").status, 0);
+  QCOMPARE(said("tune --bench b.json --board-bandwidths --out t").status, 0);
   const Outcome done = said("export --tuning t/tuning.json --as vesc --pole-pairs 7 --out g.txt");
   QVERIFY2(done.status == 0 && done.out.contains("Lost: the disturbance observer"), qPrintable(done.err));
   const auto text = readFile(folder.path("g.txt"));

@@ -172,7 +172,7 @@ void TestPrintedCommands::initTestCase() {
            "breakaway diagnose --bench rig.bench.json --recording r.csv --out d",
            "breakaway tune --bench rig.bench.json --stiffness medium --out t",
            "breakaway batch list.jsonl --out results.jsonl",
-           "cp results.jsonl shard-1.jsonl; cp results.jsonl shard-2.jsonl",
+           "cp results.jsonl shard-1.jsonl; sed 's/\"one\"/\"two\"/' results.jsonl > shard-2.jsonl",
            "breakaway commission --board simulated --bench servo.bench.json --motor-only --out m1 --project bench3",
            "breakaway commission --board simulated --bench servo.bench.json --motor-only --out m2 --project bench3",
        }) {
