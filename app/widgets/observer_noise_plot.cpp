@@ -22,7 +22,7 @@ ObserverNoisePlot::ObserverNoisePlot(QWidget* parent) : QWidget(parent), plot_(n
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
     axis->setNumberFormat("g");
-    axis->setNumberPrecision(3);
+    axis->setNumberPrecision(6);  // thousands in full, as beside it
   }
   onNewLook(this, [this] { draw(); });
   draw();

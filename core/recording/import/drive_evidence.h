@@ -1,6 +1,7 @@
 // What a drive and a motion have to do with each other, by their values alone.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace breakaway {
