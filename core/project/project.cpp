@@ -201,7 +201,7 @@ Result<ProjectRun> Project::add(const NewRun& told) {
 
 Result<ProjectRun> Project::annotate(const std::string& key, const RunNote& note) {
   const auto listed = index_->find(key);
-  if (!listed) return listed;
+  if (!listed) return listed.error();
   // What the index says may be older than what another process wrote.
   auto run = runOnDisk(folder_, listed->folder);
   if (!run) return run;

@@ -105,7 +105,7 @@ CurrentLoopRow Chooser::currentRow(double bandwidth_rad_per_s) const {
 }
 
 BandwidthChoice Chooser::chooseCurrent() {
-  const BandwidthChoice board{boardCurrentBandwidth_rad_per_s(tick_s()), BandwidthSource::board, {}};
+  BandwidthChoice board{boardCurrentBandwidth_rad_per_s(tick_s()), BandwidthSource::board, {}};
   if (inner_.current_rad_per_s > 0.0) return {inner_.current_rad_per_s, BandwidthSource::given, {}};
   if (inner_.asBoards || !wound()) return board;
   const Reach reach = farthest(lowestPerTick / tick_s(), highestPerTick / tick_s(),
@@ -135,7 +135,7 @@ Result<SpeedObserverRow> Chooser::observerRow(double bandwidth_rad_per_s) const 
 
 BandwidthChoice Chooser::chooseObserver(const std::vector<SpeedObserverRow>& rows) const {
   if (inner_.observer_rad_per_s > 0.0) return {inner_.observer_rad_per_s, BandwidthSource::given, {}};
-  const BandwidthChoice board{boardVelocityBandwidth_rad_per_s(tick_s()), BandwidthSource::board, {}};
+  BandwidthChoice board{boardVelocityBandwidth_rad_per_s(tick_s()), BandwidthSource::board, {}};
   if (inner_.asBoards || !(loop_.settings.current_limit_A > 0.0)) return board;
   double least = HUGE_VAL;
   for (const SpeedObserverRow& row : rows) {

@@ -167,6 +167,7 @@ void TestStop::starvedMachine_isToldFromAHungWindow() {
   CPU_SET(::sched_getcpu(), &one);
   std::atomic<bool> busy{true};
   std::vector<std::thread> others;
+  others.reserve(3);
   for (int k = 0; k < 3; ++k)
     others.emplace_back([&busy, one] {
       ::sched_setaffinity(0, sizeof one, &one);

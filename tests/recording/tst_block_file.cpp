@@ -118,7 +118,7 @@ void TestBlockFile::damagedBlock_losesItsOwnRowsOnly() {
   write(folder.path("r.blocks"), true);
   const std::string whole = readFile(folder.path("r.blocks")).value();
   // In its content, in its mark, in its length; of the third of ten blocks of rows, each 1616 bytes.
-  const size_t third = whole.size() - 16 - 32 - 8 * 1616;
+  const size_t third = whole.size() - 16 - 32 - size_t{8} * 1616;
   for (const size_t at : {third + 900, third, third + 9}) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 4);

@@ -274,6 +274,7 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
                rotation = bestFor(table, map, choices, "velocity_rad_per_s");
   if (std::max(place, rotation) < choices.size()) setStrangePlaceAside(table, place, rotation, choices);
   std::vector<int> ranks;
+  ranks.reserve(choices.size());
   for (size_t c = 0; c < choices.size(); ++c) ranks.push_back(rankOf(table.columns[c], choices[c], map));
   assignMotion(table, ranks, choices);
 }
