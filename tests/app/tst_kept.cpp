@@ -162,6 +162,7 @@ void TestKept::linkLostInASweep_leavesItsBreakaways_data() {
 void TestKept::linkLostInASweep_leavesItsBreakaways() {
   QFETCH(QString, uri);
   QFETCH(double, pace);
+  constexpr int angles = 72;  // many, or a busy machine sees the sweep only when it is over
   const QTemporaryDir place;
   Desk desk(pace);
   desk.session.project.open(place.filePath("p"));
@@ -173,14 +174,14 @@ void TestKept::linkLostInASweep_leavesItsBreakaways() {
   QVERIFY(desk.homed());
   const Commission& known = desk.session.bench.known();
   desk.quickSpeeds();
-  desk.sweep(24, 1);
+  desk.sweep(angles, 1);
   QVERIFY(QTest::qWaitFor([&] { return known.knows(Known::runs); }, patience_ms));
   desk.session.connection.setPace(unhurried);
   QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() >= 4; }, patience_ms));
   *cut = true;
   QTRY_VERIFY(!desk.session.connection.connected() && !desk.session.connection.run().running());
   const std::vector<BreakawayEvent> before = known.breakaways;
-  QVERIFY(before.size() >= 4 && before.size() < 48 && !known.knows(Known::map));
+  QVERIFY(before.size() >= 4 && before.size() < 2 * angles && !known.knows(Known::map));
   const QString said = named<QLabel>(desk.window, "frictionRunActivity")->text();
   QVERIFY2(said.contains("What was measured is kept"), qPrintable(said));
   const auto& lines = desk.session.messages.lines();
@@ -193,7 +194,7 @@ void TestKept::linkLostInASweep_leavesItsBreakaways() {
   desk.session.connection.setPace(pace);
   desk.session.connection.open(uri);
   QVERIFY(desk.homed());
-  desk.sweep(24, 1);
+  desk.sweep(angles, 1);
   QVERIFY(QTest::qWaitFor([&] { return known.breakaways.size() > before.size(); }, patience_ms));
   press(desk.window, "stopButton");
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(known.breakaways[k].torque_Nm, before[k].torque_Nm);
