@@ -181,7 +181,7 @@ void TestKept::linkLostInASweep_leavesItsBreakaways() {
   *cut = true;
   QTRY_VERIFY(!desk.session.connection.connected() && !desk.session.connection.run().running());
   const std::vector<BreakawayEvent> before = known.breakaways;
-  QVERIFY(before.size() >= 4 && before.size() < 2 * angles && !known.knows(Known::map));
+  QVERIFY(before.size() >= 4 && before.size() < size_t{2} * angles && !known.knows(Known::map));
   const QString said = named<QLabel>(desk.window, "frictionRunActivity")->text();
   QVERIFY2(said.contains("What was measured is kept"), qPrintable(said));
   const auto& lines = desk.session.messages.lines();
