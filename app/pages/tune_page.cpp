@@ -74,11 +74,6 @@ QString foretoldWords(FrictionSource friction) {
   return TunePage::tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A");
 }
 
-/// Noise up to so much is good (gradeOfNoise()).
-double good_A(double limit_A) {
-  return 0.02 * limit_A;
-}
-
 QString toneOf(Grade grade) {
   return grade == Grade::good ? "good" : grade == Grade::warning ? "warning" : "trouble";
 }
@@ -436,7 +431,7 @@ void TunePage::foretell() {
   showCurve();
   bode_->show(preview_.response, preview_.margins, onBoard_.response);
   locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s);
-  observerNoise_->show(preview_.observerNoise, good_A(edits_.edited().current_limit_A));
+  observerNoise_->show(preview_.observerNoise, goodNoise_A(edits_.edited().current_limit_A));
   showChips();
   showSteps();
 }
@@ -458,7 +453,7 @@ void TunePage::showChips() {
               stable ? QString("≥ 2.5") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
   rule_->show(numberText(now.alphaGT, 2), QString("≤ 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
   noise_->show(stable ? tr("%1 mA").arg(numberText(1e3 * now.currentNoise_A)) : tr("–"),
-               QString("≤ %1 mA").arg(numberText(1e3 * good_A(edits_.edited().current_limit_A), 2)),
+               QString("≤ %1 mA").arg(numberText(1e3 * goodNoise_A(edits_.edited().current_limit_A), 2)),
                stable ? toneOf(gradeOfNoise(now.currentNoise_A, edits_.edited().current_limit_A)) : "trouble");
   if (!stable) {
     read(tr("Unstable: the loop would swing up by itself. Lower the gain or the cutoff."));

@@ -149,8 +149,13 @@ Grade gradeOfAlphaGT(double alphaGT) {
   return grade(alphaGT, 0.3, 1.0);
 }
 
+double goodNoise_A(double limit_A) {
+  return 0.02 * limit_A;
+}
+
 Grade gradeOfNoise(double noise_A, double limit_A) {
-  return limit_A > 0.0 ? grade(noise_A / limit_A, 0.02, 0.05) : Grade::good;
+  const double good = goodNoise_A(limit_A);
+  return limit_A > 0.0 ? grade(noise_A / good, 1.0, 2.5) : Grade::good;
 }
 
 }  // namespace breakaway

@@ -65,7 +65,9 @@ Grade gradeOfPhase(const LoopMargins& margins);
 Grade gradeOfGain(const LoopMargins& margins);
 /// Up to 0.3 is the rule of thumb; from 1 on the observer follows faster than the tick allows.
 Grade gradeOfAlphaGT(double alphaGT);
-/// Up to 2 % of the current limit is good, up to 5 % still holds.
+/// The largest noise that is good: 2 % of the current limit.
+double goodNoise_A(double limit_A);
+/// Up to goodNoise_A() is good, up to 2.5 times that still holds.
 Grade gradeOfNoise(double noise_A, double limit_A);
 
 }  // namespace breakaway

@@ -121,11 +121,15 @@ std::string innerLoopWords(const TuningStudy& study) {
                current = boardCurrentBandwidth_rad_per_s(T);
   std::string words =
       "Speed observer: " + sourceWords(study.inner.observer, observer) + ".\n" + observerLines(study, observer);
-  if (study.inner.currentRows.empty()) {
-    words.pop_back();
-    return words;
-  }
-  words += "Current loop: " + sourceWords(study.inner.current, current) + ".\n" + currentLines(study, current);
+  const bool wound = !study.inner.currentRows.empty();
+  if (wound)
+    words += "Current loop: " + sourceWords(study.inner.current, current) + ".\n" + currentLines(study, current);
+  const bool asBoards = isSame(study.inner.observer.bandwidth_rad_per_s, observer) &&
+                        (!wound || isSame(study.inner.current.bandwidth_rad_per_s, current));
+  if (!asBoards)
+    words +=
+        "These gains ask for a board that is set so. Breakaway's own can't be, and may swing up with them: gains "
+        "for those with --board-bandwidths.\n";
   words.pop_back();
   return words;
 }

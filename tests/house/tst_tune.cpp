@@ -115,6 +115,9 @@ void TestTune::bandwidths_areTakenAsGiven() {
   const Outcome boards = tune(folder, "--bench b.json --out b --board-bandwidths");
   QVERIFY2(boards.out.contains("Current loop: 300 rad/s, as Breakaway's own boards have it"), qPrintable(boards.out));
   QCOMPARE(valueAt(tuningIn(folder, "b"), "speed_observer/source").toString(), QString("board"));
+  // Whoever sets the others on a board that can't be set so is told.
+  QVERIFY2(given.out.contains("gains for those with --board-bandwidths"), qPrintable(given.out));
+  QVERIFY2(!boards.out.contains("gains for those"), qPrintable(boards.out));
 }
 
 void TestTune::moreDoubt_isSaidAndCostsGain() {
