@@ -31,6 +31,7 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
   QTest::newRow("an arm over less than a turn") << "imbalance" << 2;
   QTest::newRow("friction near standstill, of any exponent") << "stribeck" << 47;
+  QTest::newRow("a delay that inertia could stand in for, but for no more than half of it") << "transport_delay" << 46;
   QTest::newRow("contacts that yield, which only simulation finds") << "presliding" << 47;
 }
 

@@ -100,6 +100,7 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
     const auto specs = effect->parameters(model_.axis);
     for (size_t k = 0; k < specs.size(); ++k) {
       if (specs[k].held && !(last && specs[k].freeInTheEnd)) continue;
+      if (k == 0 && freedom.heldSize == e) continue;
       Slot slot{specs[k].name, e + 1, k};
       const double value = model_.effects[e].parameters[k].value;
       if (specs[k].absentAtZero && value == 0.0) continue;
@@ -130,6 +131,13 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
 
 Parameter& ParameterVector::parameter(Model& model, const Slot& slot) {
   return slot.effect == 0 ? model.base[slot.index] : model.effects[slot.effect - 1].parameters[slot.index];
+}
+
+std::optional<Eigen::Index> ParameterVector::sizeOf(size_t effect) const {
+  const auto slot = std::find_if(slots_.begin(), slots_.end(),
+                                 [effect](const Slot& one) { return one.effect == effect + 1 && one.index == 0; });
+  if (slot == slots_.end()) return std::nullopt;
+  return slot - slots_.begin();
 }
 
 Eigen::VectorXd ParameterVector::start() const {

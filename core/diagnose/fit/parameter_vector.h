@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Freedom {
   double row_s = 0.0;  ///< the usual row, by which effects that move the drive in time hold it
 
   double mostBias = 0.0;  ///< a larger constant load is an effect, Nm
+
+  std::optional<size_t> heldSize;  ///< the effect of the model whose size, its first parameter, stays as it is
 
   bool mayBeLate() const { return leastLate_s < mostLate_s; }
   bool holds(const std::string& name) const;
@@ -43,6 +46,8 @@ class ParameterVector {
   /// A positive base quantity: one that a gauge may leave free.
   bool logarithmic(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].logarithmic; }
   const std::string& name(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].name; }
+  /// The entry that is the size of the model's effect of that number; nothing if it is held.
+  std::optional<Eigen::Index> sizeOf(size_t effect) const;
 
   /// The model at `x`.
   Model at(const Eigen::VectorXd& x) const;

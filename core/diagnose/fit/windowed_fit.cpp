@@ -220,7 +220,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   Eigen::VectorXd x = start;
   Evaluation evaluation(parameters, tracks, windows, options.exact);
   std::vector<WindowResidual>& residuals = evaluation.windows();
-  result.weights = weightsOf(residuals, tracks, windows);
+  result.weights = options.weights.value_or(weightsOf(residuals, tracks, windows));
   evaluation.follow(x.data());
   ceres::Problem::Options shared;
   shared.evaluation_callback = &evaluation;
@@ -303,7 +303,8 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
       size > 0 ? normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size)).eval() : Eigen::MatrixXd(0, 0);
   const auto n = static_cast<double>(clusters.size());
   result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
-  result.model = parameters.withIntervals(x, result.covariance, student95(n - 1.0));
+  result.errors = student95(n - 1.0);
+  result.model = parameters.withIntervals(x, result.covariance, result.errors);
   return result;
 }
 

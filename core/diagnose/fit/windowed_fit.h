@@ -16,6 +16,7 @@ struct FitOptions {
   double tolerance = 1e-6;            ///< relative fall of the cost at which it stops
   bool exact = false;                 ///< Jacobians by simulation, not by the linearised motion
   std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
+  std::optional<Weights> weights;     ///< another fit's, for squares that compare with its; or else of the start's errors
   std::stop_token stop;
 };
 
@@ -32,6 +33,7 @@ struct FitResult {
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;  ///< of x; robust against correlation within windows (sandwich by window)
   Weights weights;
+  double errors = 0.0;             ///< standard errors that an interval of 95 % reaches each way
   Eigen::VectorXd priorPrecision;  ///< of x; 0 where there is no prior
   std::vector<WindowDerivative> windows;
   std::vector<double> windowSquares;  ///< mean squared position residual per window, m² or rad²

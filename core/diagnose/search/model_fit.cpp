@@ -10,6 +10,7 @@
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/effects/wording.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/fit/size_profile.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 
@@ -128,8 +129,10 @@ bool remembers(const Model& model) {
                      [](const EffectTerm& term) { return findEffect(term.effect)->hidden() != nullptr; });
 }
 
-ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last) {
-  return {model, input.freedom, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9), last};
+ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last, std::optional<size_t> heldSize) {
+  Freedom freedom = input.freedom;
+  freedom.heldSize = heldSize;
+  return {model, freedom, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9), last};
 }
 
 Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients) {
@@ -172,9 +175,12 @@ std::vector<Model> variantsOf(const SearchInput& input, const Model& model) {
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   if (remembers(model)) iterations = std::min(iterations, 5);  // each takes several times as long
   const auto fitted = [&](const Model& start) {
-    return fitWindows(
-        vectorOf(input, start), input.tracks, input.split.train,
-        {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
+    return fitWindows(vectorOf(input, start), input.tracks, input.split.train,
+                      {.iterations = iterations,
+                       .tolerance = 1e-3,
+                       .windowWeights = input.windowWeights,
+                       .weights = {},
+                       .stop = input.stop});
   };
   FitResult fit = fitted(model);
   // The worse a start was, the more it holds its fit back: if the fit has come far below it, it goes on from there.
@@ -185,7 +191,7 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
 
 Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
   return fitWindows(vectorOf(input, model), input.tracks, input.split.trainScore,
-                    {.iterations = 8, .tolerance = tolerance, .windowWeights = {}, .stop = input.stop})
+                    {.iterations = 8, .tolerance = tolerance, .windowWeights = {}, .weights = {}, .stop = input.stop})
       .model;
 }
 
@@ -248,10 +254,23 @@ std::vector<double> polishWeights(const SearchInput& input, const Model& base, c
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
-  if (remembers(model)) return fitModel(input, model, 4);
-  return fitWindows(
-      vectorOf(input, model, true), input.tracks, input.split.polish,
-      {.iterations = 6, .tolerance = 3e-5, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
+  const bool slow = remembers(model);
+  const std::vector<Window>& windows = slow ? input.split.train : input.split.polish;
+  FitOptions options{.iterations = slow ? 4 : 6,
+                     .tolerance = slow ? 1e-3 : 3e-5,
+                     .exact = !slow,
+                     .windowWeights = slow ? input.windowWeights : windowWeights,
+                     .weights = {},
+                     .stop = input.stop};
+  FitResult fit =
+      slow ? fitModel(input, model, 4) : fitWindows(vectorOf(input, model, true), input.tracks, windows, options);
+  profileSizes(fit, [&](const Model& start, size_t effect, const Weights& weights) {
+    options.weights = weights;
+    options.iterations = 20;  // one that came to no end would seem to err more than it has to
+    options.tolerance = 1e-3;
+    return fitWindows(vectorOf(input, start, !slow, effect), input.tracks, windows, options);
+  });
+  return fit;
 }
 
 Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,

@@ -81,8 +81,9 @@ bool vanishes(const Model& model, const Effect& effect);
 /// Whether effects of the model carry hidden states, so that a fit has to simulate each parameter's change.
 bool remembers(const Model& model);
 
-/// What a fit may change; `last`: also what is held before.
-ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last = false);
+/// What a fit may change; `last`: also what is held before; `heldSize`: but for that effect's size.
+ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last = false,
+                         std::optional<size_t> heldSize = {});
 
 /// A fit of `model` to the training windows.
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations = 20);

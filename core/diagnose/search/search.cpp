@@ -8,6 +8,7 @@
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/fit/size_profile.h"
 #include "diagnose/search/adoption.h"
 #include "diagnose/search/foresight.h"
 #include "diagnose/search/further.h"
@@ -201,8 +202,7 @@ class Search {
         }
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = fits_->helps(fit, result.best) && worth().material(fit, result.best);
-        if (needed && (isClear(fit, result.best, *result.chosen[k].effect) ||
-                       !vanishes(result.best.model, *result.chosen[k].effect))) {
+        if (needed && isMoreThanNothing(fit, result.best, *result.chosen[k].effect)) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_[k] = std::move(fit);
           continue;
@@ -212,6 +212,18 @@ class Search {
         changed = true;
       }
     }
+  }
+
+  /// Whether most of the error comes back without the effect, or its size can be told from zero.
+  bool isMoreThanNothing(const FitResult& without, const FitResult& with, const Effect& effect) const {
+    if (isClear(without, with, effect) || !vanishes(with.model, effect)) return true;
+    if (effect.happensOnce()) return false;
+    const auto& terms = with.model.effects;
+    const auto isOfIt = [&effect](const EffectTerm& term) { return term.effect == effect.name(); };
+    const auto first = std::find_if(terms.begin(), terms.end(), isOfIt);
+    // Without several waves more comes back than one of them makes.
+    return std::count_if(first, terms.end(), isOfIt) == 1 &&
+           excludesZero(with, static_cast<size_t>(first - terms.begin()), without);
   }
 
   /// Whether most of the error comes back without the effect. If it happens once, this doesn't count: it may stand for
@@ -227,7 +239,7 @@ class Search {
       const Effect& effect = *result.chosen[k].effect;
       if (!vanishes(result.best.model, effect)) continue;
       FitResult fit = polishModel(input_, without(result.best.model, effect), weights);
-      if (!fit.usable || isClear(fit, result.best, effect)) continue;
+      if (!fit.usable || isMoreThanNothing(fit, result.best, effect)) continue;
       result.best = std::move(fit);
       result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
     }
