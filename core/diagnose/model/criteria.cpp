@@ -44,9 +44,11 @@ constexpr std::array table{
               "imperfect trials"},
     Criterion{"settled", &Criteria::settled, ofFloor, "below it no further effect is looked for",
               "what a second effect has to make to be seen"},
-    Criterion{"farOff", &Criteria::farOff, ofFloor,
-              "windows that err by more, in floors with wander, tell of something that happens there",
-              "restarts at the edge of standstill"},
+    Criterion{
+        "farOff", &Criteria::farOff, ofFloor,
+        "windows that err by more, in floors with wander, tell of something that happens there; from a model that "
+        "errs by more, effects are tried alone and in twos, and none of its sizes has a bound by profile",
+        "restarts at the edge of standstill"},
     Criterion{"largestPValue", &Criteria::largestPValue, ofChance,
               "an effect's p-value, for the whole catalogue, has to be at most this", "one false name in a hundred"},
     Criterion{"likeliestByChance", &Criteria::likeliestByChance, ofChance,

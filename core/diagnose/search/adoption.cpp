@@ -141,26 +141,63 @@ void Adoption::addWaves(SearchResult& result) const {
   }
 }
 
+/// From far off a fit comes to its end late: it goes on while it leaves clearly less than before.
+FitResult Adoption::toItsEnd(FitResult fit, double before) const {
+  while (mean(fit.windowSquares) < limits_.clearlyLess * before && !input_.stop.stop_requested()) {
+    before = mean(fit.windowSquares);
+    FitResult further = fitModel(input_, fit.model, 10);
+    if (further.usable && mean(further.windowSquares) < before) fit = std::move(further);
+  }
+  return fit;
+}
+
+/// Where the best effect alone leaves it far off, the best two of those tried, if together they leave less than half of
+/// what each leaves alone: what two do alike, such as a gear's loss and a drive's that both take from large torques,
+/// one of them may stand for.
+std::optional<SearchResult> Adoption::bestTwo(const FitResult& base, const std::vector<Tried>& tried) const {
+  if (tried.size() < 2 || remembers(tried.front().fit.model) ||
+      fits_.worth().floors(tried.front().fit) <= limits_.farOff)
+    return std::nullopt;
+  std::optional<SearchResult> best;
+  double least = limits_.half * mean(tried.front().fit.windowSquares);
+  for (size_t one = 0; one < tried.size(); ++one) {
+    for (size_t other = one + 1; other < tried.size(); ++other) {
+      Model both = tried[one].fit.model;
+      const auto& further = tried[other].fit.model.effects;
+      both.effects.insert(both.effects.end(), further.begin(), further.end());
+      if (remembers(both) || input_.stop.stop_requested()) continue;
+      FitResult fit = toItsEnd(fits_.fresh(both), mean(tried[one].fit.windowSquares));
+      if (!fit.usable || !plausible(fit.model, input_.seen) || mean(fit.windowSquares) >= least) continue;
+      least = mean(fit.windowSquares);
+      best.emplace();
+      best->best = std::move(fit);
+      for (const size_t k : {one, other}) best->chosen.push_back({tried[k].effect, limits_.largestPValue, 0.0, {}});
+    }
+  }
+  return best && fits_.helps(base, best->best) ? best : std::nullopt;
+}
+
 void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
   const double left = mean(result.best.windowSquares);
   if (fits_.worth().floors(result.best) <= limits_.farOff) return;
   std::vector<Tried> tried = eachAlone(result.base, screen);
   if (tried.size() > mostContinued) tried.resize(mostContinued);
-  for (Tried& one : tried) {  // from so far a fit comes to its end late
-    for (double before = mean(result.base.windowSquares); mean(one.fit.windowSquares) < limits_.clearlyLess * before;) {
-      before = mean(one.fit.windowSquares);
-      FitResult further = fitModel(input_, one.fit.model, 10);
-      if (further.usable && mean(further.windowSquares) < before) one.fit = std::move(further);
-    }
-    one.fit = withFurtherWaves(std::move(one.fit), *one.effect);
-  }
+  for (Tried& one : tried)
+    one.fit = withFurtherWaves(toItsEnd(std::move(one.fit), mean(result.base.windowSquares)), *one.effect);
+  sortByLeft(tried);
+  const std::optional<SearchResult> two = bestTwo(result.base, tried);
   std::erase_if(tried, [&](const Tried& one) {
     const double own = mean(one.fit.windowSquares);
     return own > limits_.half * mean(result.base.windowSquares) || own > limits_.clearlyLess * left ||
            !fits_.helps(result.base, one.fit);
   });
+  if (two && mean(two->best.windowSquares) < limits_.half * left &&
+      (tried.empty() || fits_.helps(tried.front().fit, two->best))) {
+    result.best = two->best;
+    result.chosen = two->chosen;
+    return;
+  }
   if (tried.empty()) return;
-  sortByLeft(tried);
   Chosen chosen{tried.front().effect, limits_.largestPValue, 0.0, {}};
   for (size_t k = 1; k < tried.size(); ++k) {
     if (limits_.clearlyLess * mean(tried[k].fit.windowSquares) < mean(tried.front().fit.windowSquares))

@@ -23,7 +23,8 @@ class Adoption {
   /// The first that helps of those that explain most alone, if any does.
   void adoptAlone(SearchResult& result, const Screen& screen) const;
   /// Where what was adopted is far off: of all effects the one by which a simulation errs least, if that alone leaves
-  /// less than half of the base's error and clearly less than what was adopted. Along a motion that the base doesn't
+  /// less than half of the base's error and clearly less than what was adopted, or two of them, if they do so beside
+  /// the better one. Along a motion that the base doesn't
   /// foresee a regression is misled.
   void adoptBest(SearchResult& result, const Screen& screen) const;
   /// Further terms that are likely beside those that were chosen, where much is left.
@@ -50,6 +51,8 @@ class Adoption {
   };
 
   std::vector<Tried> eachAlone(const FitResult& base, const Screen& screen) const;
+  FitResult toItsEnd(FitResult fit, double before) const;
+  std::optional<SearchResult> bestTwo(const FitResult& base, const std::vector<Tried>& tried) const;
   FitResult withFurtherWaves(FitResult fit, const Effect& effect) const;
   static void sortByLeft(std::vector<Tried>& tried);
   void adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const;

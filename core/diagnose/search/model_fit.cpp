@@ -264,6 +264,7 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
                      .stop = input.stop};
   FitResult fit =
       slow ? fitModel(input, model, 4) : fitWindows(vectorOf(input, model, true), input.tracks, windows, options);
+  if (!(fit.rmse < input.adequate)) return fit;
   profileSizes(fit, [&](const Model& start, size_t effect, const Weights& weights) {
     options.weights = weights;
     options.iterations = 20;  // one that came to no end would seem to err more than it has to

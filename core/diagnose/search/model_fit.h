@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -45,6 +46,9 @@ struct SearchInput {
   std::function<void(double, const Message&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
+  /// What a model may err by, rms, for bounds of sizes by profile: one that is far off lacks something, and what it
+  /// makes of a size that is held says nothing of that size.
+  double adequate = std::numeric_limits<double>::infinity();
   bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
   bool mayTurnToTorque = false;           ///< the same, to errors in torque
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search

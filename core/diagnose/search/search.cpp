@@ -52,6 +52,7 @@ class Search {
       if (result.counting) return result;
     }
     fits_.emplace(input_, result.base);
+    result.adequate = input_.adequate = limits().farOff * worth().floor();
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
     result.leftByBase = wanderingRig.wander();
@@ -217,7 +218,7 @@ class Search {
   /// Whether most of the error comes back without the effect, or its size can be told from zero.
   bool isMoreThanNothing(const FitResult& without, const FitResult& with, const Effect& effect) const {
     if (isClear(without, with, effect) || !vanishes(with.model, effect)) return true;
-    if (effect.happensOnce()) return false;
+    if (effect.happensOnce() || !(with.rmse < input_.adequate)) return false;
     const auto& terms = with.model.effects;
     const auto isOfIt = [&effect](const EffectTerm& term) { return term.effect == effect.name(); };
     const auto first = std::find_if(terms.begin(), terms.end(), isOfIt);

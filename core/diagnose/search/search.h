@@ -1,6 +1,7 @@
 // Which effects are missing: the linear screen proposes, simulated windows decide.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct SearchResult {
   std::vector<Chosen> chosen;  ///< in order of importance
   TorqueNoise left;            ///< what base and chosen leave, taken for a torque that wanders
   TorqueNoise leftByBase;      ///< what the base leaves
+  double adequate = std::numeric_limits<double>::infinity();  ///< SearchInput::adequate
 };
 
 /// The screen's effects are fitted together by simulation. An effect stays when without it the cross-validated error of

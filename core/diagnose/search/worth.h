@@ -37,6 +37,7 @@ class Worth {
   bool currentErrs(const FitResult& fit) const;
   /// The error of a fit (rms) in units of a perfect model's.
   double floors(const FitResult& fit) const;
+  double floor() const { return floor_; }  ///< what a perfect model errs by, rms
 
  private:
   double currentNoise() const;

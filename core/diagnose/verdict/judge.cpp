@@ -346,7 +346,9 @@ class Judge {
   }
 
   void refine(SearchResult& candidate, const Model& rest) const {
-    candidate.best = polishModel(input_, rest, polishWeights(input_, candidate.base.model, rest));
+    SearchInput input = input_;
+    input.adequate = candidate.adequate;
+    candidate.best = polishModel(input, rest, polishWeights(input, candidate.base.model, rest));
   }
 
   const Bench& bench_;

@@ -1,0 +1,43 @@
+#include <QTest>
+#include <algorithm>
+
+#include "diagnose/diagnosed.h"
+#include "diagnose/diagnosis.h"
+#include "recording/csv.h"
+#include "support/real_recordings.h"
+#include "support/sanitized.h"
+
+using namespace breakaway;
+
+/// M. Duclusaud, G. Passault et al., arXiv 2410.08650: a hobby servo that lifts a pendulum, by voltage. What they found
+/// to matter most is friction that grows with the load.
+class TestXl330Real : public QObject {
+  Q_OBJECT
+ private slots:
+  void gearAndIron_areBothNamed();
+};
+
+void TestXl330Real::gearAndIron_areBothNamed() {
+  NEEDS_REAL_RECORDINGS();
+  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  const std::string folder = test::realRecordings() + "/bam_xl330/";
+  std::vector<Recording> recordings;
+  for (const char* motion : {"lift_and_drop", "sin_time_square", "up_and_down"}) {
+    for (const char* gain : {"100", "400", "800"})
+      recordings.push_back(*readCsv(folder + motion + "_kp" + gain + ".csv"));
+  }
+  const auto diagnosis = diagnose(*readBench(folder + "xl330.bench.json"), recordings, {}, {});
+  QVERIFY(diagnosis);
+  qInfo("%s", inWords(*diagnosis).c_str());
+  const auto names = [&](const char* effect) {
+    return std::any_of(diagnosis->findings.begin(), diagnosis->findings.end(),
+                       [effect](const Finding& one) { return one.effect == effect; });
+  };
+  // Either alone stands for much of the other, and leaves three times the squared error of both.
+  QVERIFY(names("load_dependent_friction"));
+  QVERIFY(names("torque_saturation"));
+  QVERIFY(diagnosis->fit.heldoutAfter < 0.5 * diagnosis->fit.heldoutBefore);
+}
+
+QTEST_APPLESS_MAIN(TestXl330Real)
+#include "tst_xl330_real.moc"
