@@ -265,9 +265,9 @@ class Judge {
     // If held-out data err by much and the findings take hardly any of it away, they explain something else.
     const bool once = allHappenOnce(out.findings);
     // A push explains its own stretch alone. If the others, which it leaves as they are, still show that something is
-    // missing, it has taken up what that does there.
+    // missing, it has taken up what that does there, unless its stretch errs by far more than they do.
     const double foreseen = std::max(out.fit.floor, out.fit.floorWithWander);
-    if (once && out.fit.heldoutAfter > limits_.settled * foreseen) return Opinion::falls;
+    if (once && out.fit.heldoutAfter > limits_.settled * foreseen && !standsOut(out.model)) return Opinion::falls;
     const bool muchHeld = out.fit.heldoutBefore > (once ? limits_.material : limits_.atFloor) * out.fit.floor;
     // It acts elsewhere: in few windows, or in a current's reading, which moves nothing. A load swings in all windows.
     const bool inFew = ofAll >= limits_.clearlyLess && !swings(out.model);
@@ -287,17 +287,43 @@ class Judge {
     return idle || stray || isVague(out.findings, limits_) ? Opinion::falls : Opinion::stands;
   }
 
-  /// Whether the windows in which something happens once err more without it than such windows do by their restarts.
-  bool isSeen(const EffectTerm& term) const {
+  /// Whether what happens once does so in this window.
+  bool happensIn(const EffectTerm& term, const Window& window) const {
     const OncePart& once = *findEffect(term.effect)->once();
     const double from = term.parameters[once.start].value, to = from + term.parameters[once.duration].value;
+    const Track& track = prepared_.tracks[window.track];
+    const bool here = term.recording.empty() || term.recording == fileNameOf(track.name);
+    return here && track.time[window.last] > from && track.time[window.first] < to;
+  }
+
+  /// Whether the windows in which something happens once err by far more without it than all others do, under the same
+  /// base model.
+  bool standsOut(const Model& model) const {
+    Model rest = model;
+    std::vector<EffectTerm> pushes;
+    std::erase_if(rest.effects, [&pushes](const EffectTerm& term) {
+      const bool once = findEffect(term.effect)->happensOnce();
+      if (once) pushes.push_back(term);
+      return once;
+    });
+    const auto errors = scoreWindows(rest, prepared_.tracks, prepared_.split.trainScore);
+    std::vector<double> here, elsewhere;
+    for (size_t w = 0; w < errors.size(); ++w) {
+      const bool pushed = std::any_of(pushes.begin(), pushes.end(), [&](const EffectTerm& push) {
+        return happensIn(push, prepared_.split.trainScore[w]);
+      });
+      (pushed ? here : elsewhere).push_back(errors[w]);
+    }
+    return !here.empty() && !elsewhere.empty() && mean(here) > limits_.farMore() * mean(elsewhere);
+  }
+
+  /// Whether the windows in which something happens once err more without it than such windows do by their restarts.
+  bool isSeen(const EffectTerm& term) const {
     std::vector<Window> windows;
     double errs = 0.0;
     for (size_t w = 0; w < errorsBefore_.size(); ++w) {
       const Window& window = prepared_.split.trainScore[w];
-      const Track& track = prepared_.tracks[window.track];
-      const bool here = term.recording.empty() || term.recording == fileNameOf(track.name);
-      if (!here || track.time[window.last] <= from || track.time[window.first] >= to) continue;
+      if (!happensIn(term, window)) continue;
       windows.push_back(window);
       errs += errorsBefore_[w];
     }
