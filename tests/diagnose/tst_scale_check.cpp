@@ -36,6 +36,7 @@ class TestScaleCheck : public QObject {
   void voltageAlone_letsAnUntrustedBenchBeWrong();
   void bridgeThatLosesVoltage_isNoScale();
   void voltageOfEveryFifthRow_isNoSign();
+  void moveOrTwo_areNoMistake();
   void currentThatIsOverWithinARow_isNoSign();
   void soundTrials_getNoHeadline_data();
   void soundTrials_getNoHeadline();
@@ -274,6 +275,13 @@ void TestScaleCheck::voltageOfEveryFifthRow_isNoSign() {
 /// as not.
 void TestScaleCheck::currentThatIsOverWithinARow_isNoSign() {
   const ForeignRig rig = foreignRig("winding_heating", 47);
+  const auto check = checkScales(rig.bench, rig.recordings, {});
+  QVERIFY2(check && !check->misread, rig.words.c_str());
+}
+
+/// An axis that moves twice within 32 s, from one cogging well to the next: too little to tell a constant by.
+void TestScaleCheck::moveOrTwo_areNoMistake() {
+  const ForeignRig rig = foreignRig("cogging", 56);
   const auto check = checkScales(rig.bench, rig.recordings, {});
   QVERIFY2(check && !check->misread, rig.words.c_str());
 }

@@ -26,6 +26,7 @@ class TestSplit : public QObject {
   void pauseOfAges_isSteppedOver();
   void tooCoarseRows_areOneClearLine();
   void manyShortRecordings_getShortWindows();
+  void axisThatStandsInTheProof_provesNothing();
 };
 
 namespace {
@@ -164,6 +165,27 @@ void TestSplit::tooCoarseRows_areOneClearLine() {
 }
 
 /// Three recordings of 6 s with a gap every second: windows of 1 s would hardly find room.
+void TestSplit::axisThatStandsInTheProof_provesNothing() {
+  for (const double until_s : {20.0, 26.0}) {  // the last six seconds are kept for the proof
+    std::vector<double> time, angle, torque;
+    for (size_t k = 0; k < 30000; ++k) {
+      time.push_back(row_s * static_cast<double>(k));
+      angle.push_back(1e-3 * std::round(1e3 * std::sin(2.0 * std::min(time.back(), until_s))));
+      torque.push_back(0.01 * std::cos(2.0 * time.back()));
+    }
+    const auto recording =
+        Recording::seal("rests.csv", {{"time_s", time}, {"angle_rad", angle}, {"torque_Nm", torque}});
+    const std::vector<Track> tracks{*makeTrack(*recording, Axis::rotary, DriveInput::torque, {}, 0.0)};
+    const auto split = splitTracks(tracks, 1, 0.5);
+    if (until_s > 25.0) {
+      VERIFY_OK(split);
+    } else {
+      QVERIFY(!split);
+      QCOMPARE(split.error().message(), std::string("rests.csv: stands still in all of what is kept for the proof"));
+    }
+  }
+}
+
 void TestSplit::manyShortRecordings_getShortWindows() {
   const auto mostly = [](double t) { return std::fmod(t, 1.4) > 0.06; };
   const std::vector<Track> tracks(3, swinging(mostly, always, row_s, 6000));

@@ -23,7 +23,7 @@ Column knownLoadColumn(const Model& model);
 
 struct Regression {
   Eigen::VectorXd value;       ///< one per column
-  Eigen::MatrixXd covariance;  ///< clustered by second
+  Eigen::MatrixXd covariance;  ///< clustered by second; infinite where there are no more of these than columns
   double relativeError = 0.0;  ///< ‖residual‖/‖response‖
   size_t rows = 0;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "diagnose/fit/channel_checks.h"
 #include "diagnose/fit/torque_residual.h"
@@ -19,7 +20,8 @@ constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those wi
 constexpr size_t fewestWindowRows = 12;     ///< of a window
 constexpr size_t fewestInTorque = 8;        ///< instants of a window
 constexpr double shortestWindow_s = 0.04;
-constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
+constexpr double surelyMoves = 8.0;  ///< standard deviations of a reading, from the least to the largest
+constexpr double lookBack_s = 0.2;   ///< before a window, which a restart reads
 constexpr double longestUnread_s = 0.1;
 
 struct Stretch {
@@ -151,6 +153,18 @@ void countErrorsIn(ErrorIn errorIn, Split& split, const std::vector<Track>& trac
   }
 }
 
+/// Whether what is read changes over the window by more than its noise makes.
+bool moves(const Window& window, const std::vector<Track>& tracks) {
+  const Track& track = tracks[window.track];
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (size_t row = window.first; row <= window.last; ++row) {
+    if (!track.seen[row]) continue;
+    least = std::min(least, track.reading(row));
+    most = std::max(most, track.reading(row));
+  }
+  return most - least > surelyMoves * track.readingNoise();
+}
+
 void thinTraining(Split& split) {
   thin(split.train, mostTrainRows, fewestThinned);
   thin(split.polish, 2 * mostTrainRows, 2 * fewestThinned);
@@ -243,6 +257,9 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed, split.train.size(), fitWindow);
+  if (std::none_of(split.heldoutScore.begin(), split.heldoutScore.end(),
+                   [&tracks](const Window& window) { return moves(window, tracks); }))
+    return Error{tracks.front().name, message("stands still in all of what is kept for the proof")};
   thinTraining(split);
   assignFolds(split);
   return split;
