@@ -275,13 +275,14 @@ class Judge {
     if (held > (elsewhere ? limits_.clearlyMore() : muchHeld ? limits_.hardlyLess : limits_.hardlyMore()))
       return Opinion::heldoutRefuses;
     // A gain that may be none proves nothing, but where held-out data need not show one, or single windows that run
-    // away make its interval.
-    if (!elsewhere && !singly && out.fit.improvementLow95 <= 0.0) return Opinion::heldoutRefuses;
+    // away make its interval: then the training windows have to show it, all of them together.
+    const double trained = std::pow(out.fit.trainAfter / out.fit.trainBefore, 2);
+    if (!elsewhere && out.fit.improvementLow95 <= 0.0 && !(singly && trained < limits_.half))
+      return Opinion::heldoutRefuses;
     // After a restart a load that swings may run away in single windows, although the model is right. Then the typical
     // window decides, and held-out data have to show the gain.
     const bool usually = typicalSquare(errorsAfter) <= limits_.hardlyLess * before() && held < limits_.clearlyLess;
-    const bool idle =
-        !currentToo && std::pow(out.fit.trainAfter / out.fit.trainBefore, 2) > limits_.hardlyLess && !usually;
+    const bool idle = !currentToo && trained > limits_.hardlyLess && !usually;
     // A push can take up whatever a few windows err by. It counts only if it takes most of all error away.
     const bool stray = once && ofAll < limits_.half;
     return idle || stray || isVague(out.findings, limits_) ? Opinion::falls : Opinion::stands;
