@@ -10,6 +10,7 @@
 #include "firmware_link/far_end.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_firmware.h"
+#include "firmware_link/wire/messages.h"
 #include "line/help_as.h"
 #include "version.h"
 
@@ -18,7 +19,7 @@ namespace {
 using namespace breakaway;
 
 struct BoardLine {
-  std::string rig = "servo", pace = "real";
+  std::string rig = "servo", pace = "real", serial;
   unsigned seed = 1;
   int port = -1;
 };
@@ -40,7 +41,7 @@ Result<void> serve(const BoardLine& line) {
   auto end = line.port < 0 ? FarEnd::pseudoTerminal() : FarEnd::loopback(static_cast<std::uint16_t>(line.port));
   if (!end) return end.error();
   const board::Pace pace = line.pace == "granted" ? board::Pace::granted : board::Pace::real;
-  SimulatedFirmware firmware(*rig, line.seed, pace, static_cast<std::uint16_t>(std::random_device{}()));
+  SimulatedFirmware firmware(*rig, line.seed, pace, static_cast<std::uint16_t>(std::random_device{}()), line.serial);
   BoardServer server(firmware, *end, pace);
   std::printf("%s\n", end->uri().c_str());
   std::fflush(stdout);
@@ -63,6 +64,11 @@ int main(int argc, char** argv) {
       "breakaway-board"};
   app.add_option("--rig", asked.rig, "preset, or FILE.rig.json")->capture_default_str();
   app.add_option("--seed", asked.seed, "seed of the rig's noise")->capture_default_str();
+  app.add_option("--serial", asked.serial,
+                 "serial number that the board tells, at most 40 bytes; without it none, as boards that have none")
+      ->check([](const std::string& text) {
+        return text.size() <= wire::SerialNumber::length ? std::string() : "is longer than a board can tell";
+      });
   app.add_option("--pace", asked.pace,
                  "real: the board's clock is this machine's, and its lease runs out in 0.25 s; granted: the clock runs "
                  "as far as the host grants, as fast as it can be computed")
@@ -76,7 +82,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  breakaway-board --rig geared\n"
-      "  breakaway-board --tcp 5000 --pace granted");
+      "  breakaway-board --tcp 5000 --pace granted --serial 0042");
   if (const auto help = line::helpAs(app, program, {argv + 1, argv + argc})) {
     if (!*help) return fail(help->error().message());
     std::fputs((*help)->c_str(), stdout);

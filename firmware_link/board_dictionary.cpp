@@ -41,6 +41,11 @@ Result<BoardDictionary> BoardDictionary::read(BoardLink& link) {
   dictionary.hello_ = *hello;
   const Error unusable{link.place(), "describes itself in a way that is none of the wire's, version 1"};
   if (auto checked = checkHello(link.place(), *hello); !checked) return checked.error();
+  if (dictionary.can(wire::Hello::serialNumber)) {
+    const auto serial = link.ask<wire::SerialNumber>(wire::Type::serialNumber, BoardLink::Patience{0.25, 6});
+    if (!serial) return serial.error();
+    dictionary.serial_ = *serial;
+  }
   wire::Crc32c hash;
   for (std::size_t first = 0; first < hello->entries;) {
     const auto page = link.ask<wire::DictionaryPage>(
@@ -87,6 +92,10 @@ std::string BoardDictionary::device() const {
 
 std::string BoardDictionary::firmware() const {
   return textOf(hello_.firmware);
+}
+
+std::string BoardDictionary::serialNumber() const {
+  return textOf(serial_.text);
 }
 
 const BoardParameter* BoardDictionary::find(const std::string& name) const {

@@ -32,6 +32,8 @@ class BoardDictionary {
   bool can(wire::Hello::Ability what) const { return (hello_.abilities & what) != 0; }
   std::string device() const;
   std::string firmware() const;
+  /// Empty: the board says none.
+  std::string serialNumber() const;
   const std::vector<BoardParameter>& parameters() const { return parameters_; }
   const BoardParameter* find(const std::string& name) const;
   SampleDecoder::Board telemetry() const;
@@ -47,6 +49,7 @@ class BoardDictionary {
                                        const std::vector<std::pair<std::string, double>>& values) const;
 
   wire::Hello hello_;
+  wire::SerialNumber serial_;
   std::vector<BoardParameter> parameters_;
   double scale_[wire::channelCount] = {};
 };

@@ -133,6 +133,7 @@ Result<void> BoardDrive::greet() {
                static_cast<double>(hello.countsPerRev),
                static_cast<double>(hello.supply_V),
                dictionary_.can(wire::Hello::hasIndex)};
+  identity_.serialNumber = asUtf8(dictionary_.serialNumber());
   identity_.can.compensates = dictionary_.can(wire::Hello::friction);
   identity_.can.runsLegs = dictionary_.can(wire::Hello::legs);
   std::vector<std::string> names;

@@ -13,6 +13,7 @@ using wire::Type;
 
 constexpr std::pair<Type, const char*> requests[] = {{Type::hello, "hello"},
                                                      {Type::dictionary, "dictionary"},
+                                                     {Type::serialNumber, "serial number"},
                                                      {Type::readParameters, "read parameters"},
                                                      {Type::writeParameters, "write parameters"},
                                                      {Type::command, "command"},

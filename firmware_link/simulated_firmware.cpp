@@ -1,6 +1,7 @@
 #include "firmware_link/simulated_firmware.h"
 
 #include <array>
+#include <utility>
 
 namespace breakaway {
 
@@ -8,9 +9,11 @@ namespace {
 
 constexpr const char* firmwareName = "reference 0.1.0";
 
-board::BoardHardware<float> hardware(const Rig& rig, const char* device, board::Pace pace, std::uint16_t boot) {
+board::BoardHardware<float> hardware(const Rig& rig, const char* device, const char* serialNumber, board::Pace pace,
+                                     std::uint16_t boot) {
   auto made = hardwareOf<float>(rig);
   made.device = device;
+  made.serialNumber = serialNumber;
   made.firmware = firmwareName;
   made.pace = pace;
   made.boot = boot;
@@ -19,11 +22,13 @@ board::BoardHardware<float> hardware(const Rig& rig, const char* device, board::
 
 }  // namespace
 
-SimulatedFirmware::SimulatedFirmware(const Rig& rig, unsigned seed, board::Pace pace, std::uint16_t boot)
+SimulatedFirmware::SimulatedFirmware(const Rig& rig, unsigned seed, board::Pace pace, std::uint16_t boot,
+                                     std::string serialNumber)
     : rate_Hz_(rig.loopRate_Hz),
       device_("reference board, simulated rig " + rig.name),
+      serialNumber_(std::move(serialNumber)),
       rig_(rig, seed),
-      board_(std::make_unique<Board>(hardware(rig, device_.c_str(), pace, boot))) {
+      board_(std::make_unique<Board>(hardware(rig, device_.c_str(), serialNumber_.c_str(), pace, boot))) {
 }
 
 void SimulatedFirmware::tick() {

@@ -19,7 +19,8 @@ class SimulatedFirmware {
   static constexpr std::size_t outboxBytes = 16384, burstBytes = 1u << 20;
   using Board = board::ReferenceBoard<float, outboxBytes, burstBytes>;
 
-  SimulatedFirmware(const Rig& rig, unsigned seed, board::Pace pace, std::uint16_t boot);
+  /// `serialNumber`: what the board tells; empty: none.
+  SimulatedFirmware(const Rig& rig, unsigned seed, board::Pace pace, std::uint16_t boot, std::string serialNumber = {});
 
   void receive(std::span<const std::uint8_t> bytes) {
     if (!linkLost_) board_->receive(bytes);
@@ -43,7 +44,7 @@ class SimulatedFirmware {
   void tick();
 
   double rate_Hz_;
-  std::string device_;
+  std::string device_, serialNumber_;
   SimulatedRig rig_;
   std::unique_ptr<Board> board_;
   board::Drive<float> drive_;

@@ -1,3 +1,4 @@
+#include "experiment/identity.h"
 #include "firmware_link/burst_capture.h"
 
 #include <fmt/core.h>
@@ -54,11 +55,14 @@ Outcome runBurst(const BurstLine& line) {
   BoardLink link(std::move(*stream), "board " + line.board);
   const auto board = BoardDictionary::read(link);
   if (!board) return board.error();
-  noteDevice(MadeOn{board->device(), {}, board->firmware()});
+  noteDevice(MadeOn{board->device(), board->serialNumber(), board->firmware()});
   const auto burst = captureBurst(link, *board, request);
   if (!burst) return burst.error();
-  const auto recording =
-      sealSamples(line.out, burst->samples, {{"device", board->device()}, {"firmware", board->firmware()}});
+  Identity identity;
+  identity.device = board->device();
+  identity.firmware = board->firmware();
+  identity.serialNumber = board->serialNumber();
+  const auto recording = sealSamples(line.out, burst->samples, notesOf(identity));
   if (!recording) return recording.error();
   if (auto written = writeCsv(*recording, line.out); !written) return written.error();
   if (!burst->fault.empty()) return {1, burst->fault};

@@ -48,10 +48,16 @@ Result<void> checkForm(const std::string& form, const std::vector<std::string>& 
 
 Result<Answer> exportedMap(const ExportLine& line) {
   if (auto good = checkForm(line.form, mapForms()); !good) return good.error();
+  if (!line.name.empty()) {
+    if (line.form != "c-header" && line.form != "modelica")
+      return Error{"--name", "goes with c-header and modelica only, of a map"};
+    if (const auto fault = nameFault(line.form, line.name))
+      return Error{"--name", "is \"" + line.name + "\", " + *fault};
+  }
   if (auto good = checkOutput(line.out, {line.map}); !good) return good.error();
   const auto map = readMap(line.map);
   if (!map) return map.error();
-  if (auto done = exportMap(*map, line.form, line.out); !done) {
+  if (auto done = exportMap(*map, line.form, line.out, line.name); !done) {
     const bool ofMap = done.error().place.starts_with("bin ");
     return ofMap ? Error{line.map + ", " + done.error().place, done.error().fact} : done.error();
   }
@@ -121,7 +127,7 @@ Result<Answer> exportedGains(const ExportLine& line) {
 
 /// Options that only some exports take are no silent extras.
 Result<void> checkExtras(const ExportLine& line) {
-  if (line.model.empty() && !line.name.empty()) return Error{"--name", "goes with --model only"};
+  if (!line.tuning.empty() && !line.name.empty()) return Error{"--name", "goes with --map and --model only"};
   if (line.model.empty() && !line.recording.empty()) return Error{"--recording", "goes with --model only"};
   if (line.tuning.empty() && line.polePairs > 0) return Error{"--pole-pairs", "goes with --tuning only"};
   return {};
@@ -151,8 +157,10 @@ void addExport(CLI::App& app, Job& chosen) {
       ->type_name("TEXT:" + among(allForms()))
       ->required();
   command->add_option("--out", line->out, "file to write; - is standard output")->required();
-  command->add_option("--name", line->name,
-                      "of prefix (C), joint, class or package; else the output's own, for C breakaway");
+  command->add_option(
+      "--name", line->name,
+      "of prefix (C), joint, class or package, so that two stand in one program; else the output's own, "
+      "for C and of a map breakaway's");
   command->add_option("--recording", line->recording,
                       "of a model as mjcf, isaaclab, urdf or sdf: on which its error with what the joint holds is held "
                       "against its own, NAME.csv");
@@ -160,6 +168,7 @@ void addExport(CLI::App& app, Job& chosen) {
   command->footer(
       "Examples:\n"
       "  breakaway export --map c/map.json --as c-header --out friction_map.h\n"
+      "  breakaway export --map left/map.json --as c-header --name left --out left.h\n"
       "  breakaway export --map c/map.json --as csv --out - | head\n"
       "  breakaway export --model d/model.json --as c --out motor.h\n"
       "  breakaway export --model d/model.json --as mjcf --out joint.xml --recording a.csv\n"

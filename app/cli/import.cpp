@@ -6,13 +6,17 @@
 #include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "recording/block_file.h"
 #include "recording/csv.h"
+#include "recording/stretch.h"
 
 namespace breakaway::cli {
 
@@ -23,6 +27,9 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::string in, out, map;
   bool explain = false;
+  std::optional<double> from_s, to_s;
+
+  bool trims() const { return from_s || to_s; }
 };
 
 constexpr size_t rowsShown = 5;
@@ -42,6 +49,14 @@ std::string firstRows(const Recording& recording) {
     words += "\n";
   }
   return words;
+}
+
+/// What of it is asked for.
+Result<Recording> trimmed(const Recording& recording, const Options& options) {
+  if (!options.trims()) return recording;
+  if (recording.rows() == 0) return recording;
+  return stretchOf(recording, options.from_s.value_or(recording.time().front()),
+                   options.to_s.value_or(recording.time().back()));
 }
 
 /// "log.csv" and "3" make "log.3.csv".
@@ -114,7 +129,16 @@ Result<Answer> importBlocks(const Options& options) {
                   {"damaged_bytes", survey->unreadable()},
                   {"out", options.explain ? Json() : Json(options.out)}};
   if (options.explain) return Answer{words, asText(json)};
-  if (auto written = writeBlocksAsCsv(options.in, options.out); !written) return written.error();
+  if (!options.trims()) {
+    if (auto written = writeBlocksAsCsv(options.in, options.out); !written) return written.error();
+    return Answer{words + options.out + "\n", asText(json)};
+  }
+  const auto whole = readBlocks(options.in);
+  if (!whole) return whole.error();
+  const auto part = trimmed(*whole, options);
+  if (!part) return part.error();
+  if (auto written = writeCsv(*part, options.out); !written) return written.error();
+  words += fmt::format("{} of them are taken\n", part->rows());
   return Answer{words + options.out + "\n", asText(json)};
 }
 
@@ -129,21 +153,29 @@ Result<Answer> import(const Options& options) {
     if (!read) return read.error();
     map = std::move(*read);
   }
-  const auto parts = importRecordings(options.in, map);
+  auto parts = importRecordings(options.in, map);
   if (!parts) return parts.error();
   if (!options.explain) {
     if (auto good = checkOutputs(*parts, options, map); !good) return good.error();
   }
+  std::vector<std::string> outs;  // a part's name stands in its last notes
+  for (Imported& part : *parts) {
+    outs.push_back(outOf(part, options, map));
+    auto taken = trimmed(part.recording, options);
+    if (!taken) return taken.error();
+    part.recording = std::move(*taken);
+  }
   std::string words;
   Json json{{"recordings", Json::array()}};
-  for (const Imported& part : *parts) {
+  for (size_t k = 0; k < parts->size(); ++k) {
+    const Imported& part = (*parts)[k];
     words += fates(part);
     json["recordings"].push_back(jsonOf(part));
     if (options.explain) {
       words += firstRows(part.recording);
       continue;
     }
-    const std::string out = outOf(part, options, map);
+    const std::string& out = outs[k];
     if (const auto done = writeCsv(part.recording, out); !done) return done.error();
     words += fmt::format("{}: {} rows, {} columns\n", out, part.recording.rows(), part.recording.channels().size());
     json["recordings"].back()["out"] = out;
@@ -165,12 +197,15 @@ void addImport(CLI::App& app, Job& chosen) {
   command->add_option("--map", options->map,
                       "JSON that says what the file doesn't: {\"columns\": {\"OLD\": {\"to\": \"NEW\", \"unit\": "
                       "\"deg\"}}, \"pole_pairs\": 7}");
+  command->add_option("--from", options->from_s, "s of the recording's time: only rows from there on");
+  command->add_option("--to", options->to_s, "s of the recording's time: only rows until there, included");
   command->add_flag("--explain", options->explain, "say what is understood, show the first rows, write nothing");
   command->footer(
       "Columns are understood by their names and units; what became of each is printed. The manual's page import.md "
       "tells more.\n"
       "Examples:\n"
       "  breakaway import log.csv --explain\n"
+      "  breakaway import log.csv --from 2 --to 4 --out part.csv\n"
       "  breakaway import vesc.csv --map vesc.map.json --out r.csv\n"
       "  zcat log.gz | breakaway import - --out r.csv");
   command->callback([options, out, &chosen] {

@@ -69,13 +69,14 @@ Unfinished unfinishedOf(const Project& project, const std::string& device = {}) 
       continue;
     }
     const Commission& known = *one.known;
-    if (!device.empty() && known.identity.device != device) continue;
-    all.words += fmt::format("{}  {:<20}  {:<15} {}: {}{}\n", "unfinished", one.at, "commission", known.identity.device,
-                             howFar(known).english(), one.held ? "; under way" : "");
+    if (!device.empty() && known.identity.device != device && known.identity.serialNumber != device) continue;
+    all.words += fmt::format("{}  {:<20}  {:<15} {}: {}{}\n", "unfinished", one.at, "commission",
+                             boardName(known.identity), howFar(known).english(), one.held ? "; under way" : "");
     all.json.push_back({{"folder", one.folder},
                         {"at", one.at},
                         {"kind", "commission"},
                         {"device", known.identity.device},
+                        {"device_serial_number", known.identity.serialNumber},
                         {"part", known.part},
                         {"speeds", known.runs.size() + known.strokes.size()},
                         {"speeds_broken_off", speedsBrokenOff(known)},
@@ -162,7 +163,8 @@ Result<Answer> show(const Project& project, const ProjectLine& line) {
   const auto run = project.index().find(line.words[0]);
   if (!run) return run.error();
   std::string words = saidBy(project) + wordsOf(*run);
-  if (!run->device.empty()) words += "board: " + run->device + "\n";
+  if (!run->device.empty())
+    words += "board: " + run->device + (run->deviceSerial.empty() ? "" : " (" + run->deviceSerial + ")") + "\n";
   if (!run->command.empty()) words += "made by: " + run->command + "\n";
   for (const RunValue& one : run->values) words += one.name + ": " + valueText(one) + "\n";
   for (const std::string& one : run->findings) words += "found: " + one + "\n";

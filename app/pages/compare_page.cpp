@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -84,6 +85,7 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
   connect(&comparison_, &Comparison::tracesChanged, this, &ComparePage::showProof);
   connect(&live_, &LiveSamples::recordingChanged, this, &ComparePage::showInputs);
   showInputs();
+  showBeneath();
   showProof();
   showLog();
 }
@@ -102,7 +104,18 @@ void ComparePage::buildInputs() {
   openHeldout_ = new FileSlot(
       "openHeldoutButton", tr("Held-out"),
       tr("A second recording to prove the findings on; without it, parts of the first are held out"), group);
+  openBeneath_ = new FileSlot(
+      "openBeneathButton", tr("Beneath"),
+      tr("Another recording that is drawn dashed beneath this one, from their beginnings; Runs lays a kept one there"),
+      group);
+  takeBeneathAway_ = toolButton(group, "takeBeneathAwayButton", "×", tr("Takes away what lies beneath"));
+  takeBeneathAway_->setAccessibleName(tr("Take away what lies beneath"));
   for (QWidget* slot : {openBench_, openRecording_, openHeldout_}) column->addWidget(slot);
+  auto* beneath = new QHBoxLayout;
+  beneath->setSpacing(8);
+  beneath->addWidget(openBeneath_, 1);
+  beneath->addWidget(takeBeneathAway_);
+  column->addLayout(beneath);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   takeLive_ = pushButton(group, "takeLiveButton", tr("Last recording"));
@@ -123,6 +136,12 @@ void ComparePage::buildInputs() {
     ask(tr("Open a held-out recording"), tr("Recordings and logs (*)"),
         [this](const QString& path) { comparison_.openHeldout(path); });
   });
+  connect(openBeneath_, &QPushButton::clicked, this, [this] {
+    ask(tr("Lay a recording beneath"), tr("Recordings (*.csv *.blocks)"),
+        [this](const QString& path) { comparison_.layBeneath(path); });
+  });
+  connect(takeBeneathAway_, &QToolButton::clicked, this, [this] { comparison_.layBeneath({}); });
+  connect(&comparison_, &Comparison::beneathChanged, this, &ComparePage::showBeneath);
   connect(takeLive_, &QPushButton::clicked, this, &ComparePage::takeLive);
   connect(openExample_, &QPushButton::clicked, this, &ComparePage::openExample);
   connect(sealedTrial_, &QPushButton::clicked, this, [this] { trial_.conceal(); });
@@ -245,6 +264,13 @@ void ComparePage::showInputs() {
   showKeep();
   showTrial();
   showHint();
+}
+
+void ComparePage::showBeneath() {
+  const auto& beneath = comparison_.beneath();
+  openBeneath_->show(beneath ? beneath->name : QString(), {});
+  setAvailable(takeBeneathAway_, beneath.has_value(), tr("Takes away what lies beneath"),
+               tr("No recording lies beneath"));
 }
 
 void ComparePage::showTrial() {

@@ -10,6 +10,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace breakaway {
 
@@ -49,6 +50,7 @@ class ComparePage : public Page {
   void openExample();
   void takeLive();
   void showInputs();
+  void showBeneath();
   void showTrial();
   void showExperiment();
   void showProgress();
@@ -70,6 +72,8 @@ class ComparePage : public Page {
   FileSlot* openBench_ = nullptr;
   FileSlot* openRecording_ = nullptr;
   FileSlot* openHeldout_ = nullptr;
+  FileSlot* openBeneath_ = nullptr;
+  QToolButton* takeBeneathAway_ = nullptr;
   QPushButton* openExample_ = nullptr;
   QPushButton* sealedTrial_ = nullptr;
   QPushButton* runExperiment_ = nullptr;

@@ -259,7 +259,7 @@ void ConnectPage::showIdentity() {
     controller_->show({});
   } else {
     const auto number = [](double value) { return numberText(value, 4); };
-    facts_->show({{tr("Device"), QString::fromStdString(identity.device), {}},
+    facts_->show({{tr("Device"), QString::fromStdString(boardName(identity)), {}},
                   {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
                   {tr("Address"), shortAddress(connection_.uri()), connection_.uri()},
                   {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),

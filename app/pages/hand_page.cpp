@@ -56,7 +56,7 @@ HandPage::HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   connect(&connection_, &Connection::changed, this, &HandPage::showState);
   connect(&connection_, &Connection::runChanged, this, &HandPage::showState);
   connect(&bench_, &BenchRuns::measured, this, &HandPage::showState);
-  new WhileShown(this, shownEvery, [this] { showNumbers(); });
+  new WhileShown(this, shownEvery, [this] { return showNumbers(); });
   wordForAxis();
   choose(HandMode::speed);
   showState();
@@ -302,11 +302,12 @@ void HandPage::showState() {
                             : obstacle);
 }
 
-void HandPage::showNumbers() {
+bool HandPage::showNumbers() {
   const auto newest = live_.current();
   const auto channels = liveChannels(live_.board().axis == Axis::linear);
   for (size_t k = 0; k < numbers_.size(); ++k)
     numbers_[k]->setText(newest ? steadyNumber(channels[k].of(*newest), channels[k].leastSpan) : tr("–"));
+  return newest.has_value();
 }
 
 }  // namespace breakaway

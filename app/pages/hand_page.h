@@ -51,7 +51,7 @@ class HandPage : public Page {
   /// Nothing moves on while nobody looks at the page.
   void leave();
   void showState();
-  void showNumbers();
+  bool showNumbers();
 
   Connection& connection_;
   BenchRuns& bench_;

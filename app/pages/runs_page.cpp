@@ -216,8 +216,13 @@ void RunsPage::showButtons() {
                : mapped || recorded
                    ? QString()
                    : obstacle("report", tr("The run left nothing to show: its files lie in its folder")));
-  setAvailable(beneath_, tr("Lays the map beneath the one on the Friction page, with a ring of their differences"),
-               obstacle("map", tr("The run has no friction map")));
+  setAvailable(beneath_,
+               recorded && !mapped
+                   ? tr("Draws the recording dashed beneath the one on the Compare page")
+                   : tr("Lays the map beneath the one on the Friction page, with a ring of their differences"),
+               !being.isEmpty() ? being
+               : recorded       ? QString()
+                                : obstacle("map", tr("The run has neither a friction map nor a recording")));
   setAvailable(report_, tr("Opens the run's report in the browser"), obstacle("report", tr("The run has no report")));
   setAvailable(csv_, tr("Writes the whole recording as CSV"),
                !being.isEmpty() ? being : obstacle("recording", tr("The run has no recording")));
@@ -242,6 +247,14 @@ void RunsPage::open() {
 }
 
 void RunsPage::layBeneath() {
+  if (chosen_[0].file("map") == nullptr) {
+    runs_.read(chosen_[0].id, this, [this](const KeptRun& kept) {
+      comparison_.layBeneath(kept.pathOf("recording"),
+                             kept.run.name.empty() ? timeInWords(kept.run) : QString::fromStdString(kept.run.name));
+      emit pageAsked("comparePage");
+    });
+    return;
+  }
   runs_.readMap(chosen_[0].id, this, [this](const KeptMap& map) {
     maps_.layBeneath(map);
     emit pageAsked("frictionPage");

@@ -1,4 +1,5 @@
 // What comes of the runs, and what the bench keeps of it.
+#include <algorithm>
 #include <utility>
 
 #include "firmware_link/presets.h"
@@ -25,13 +26,16 @@ void BenchRuns::meetBoard() {
   ++board_;
   const Identity& identity = connection_.identity();
   bench_ = benchBeside(connection_.uri());
-  const std::string before = known_.identity.device;
-  if (!before.empty() && before != identity.device) {
+  if (!known_.identity.device.empty() && !mayBeSame(known_.identity, identity)) {
+    const std::string before = boardName(known_.identity);
     messages_.say(tr("This is another board: what was measured on %1 is kept until it comes back")
                       .arg(QString::fromStdString(before)));
     otherBoards_[before] = std::exchange(known_, {});
     tookUp_ = false;
-    if (const auto earlier = otherBoards_.find(identity.device); earlier != otherBoards_.end()) {
+    const auto earlier = std::find_if(otherBoards_.begin(), otherBoards_.end(), [&identity](const auto& one) {
+      return mayBeSame(one.second.identity, identity);
+    });
+    if (earlier != otherBoards_.end()) {
       known_ = std::move(earlier->second);
       otherBoards_.erase(earlier);
     }
@@ -73,7 +77,7 @@ void BenchRuns::takeUp(const Commission& earlier) {
 
 void BenchRuns::forgetSweeps() {
   known_.forget({Known::runs, Known::breakaways});
-  emit sweepsForgotten(known_.identity.device);
+  emit sweepsForgotten(boardName(known_.identity));
   emit knownChanged();
 }
 

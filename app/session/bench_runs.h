@@ -88,7 +88,7 @@ class BenchRuns : public QObject {
   void measured();  ///< index or steps
   void knownChanged();
   void tookUp();  ///< with what an earlier program had measured, and its sweeps' settings
-  void sweepsForgotten(const std::string& device);
+  void sweepsForgotten(const std::string& board);  ///< boardName()
   void tuningChanged();
   void tuned(const breakaway::ControllerSettings& settings);
 
@@ -110,7 +110,7 @@ class BenchRuns : public QObject {
   std::optional<Bench> bench_;
   std::vector<StepResult> steps_;
   Commission known_;
-  std::map<std::string, Commission> otherBoards_;  ///< what is known of those that were here before, by device
+  std::map<std::string, Commission> otherBoards_;  ///< what is known of those that were here before, by boardName()
   KnownPtr last_;                                  ///< that was taken
   bool tookUp_ = false;                            ///< what is known has not been gone on with
   bool tuning_ = false;

@@ -126,6 +126,36 @@ void Comparison::read(const QString& path, std::optional<Recording> Comparison::
   });
 }
 
+void Comparison::layBeneath(const QString& path, const QString& name) {
+  const unsigned mine = ++wantedBeneath_;
+  if (path.isEmpty()) {
+    beneath_.reset();
+    emit beneathChanged();
+    return;
+  }
+  inPool([this, path, name, mine]() -> std::function<void()> {
+    const auto recording = readRecording(path.toStdString());
+    BeneathRecording read{name.isEmpty() ? QFileInfo(path).fileName() : name, nullptr};
+    if (recording) {
+      read.linear = recording->has("position_m");
+      const std::string channel = columnName(Quantity::position, read.linear ? Axis::linear : Axis::rotary);
+      const auto position = recording->channel(channel);
+      if (!position.empty()) {
+        read.overview = std::make_shared<const Overview>(*recording, channel);
+        read.begin_s = recording->time().front();
+        read.first = position.front();
+      }
+    }
+    return [this, mine, recording, read] {
+      if (mine != wantedBeneath_) return;
+      if (!recording) return messages_.warn(recording.error());
+      if (!read.overview) return messages_.warn(tr("%1 holds no position to lay beneath").arg(read.name));
+      beneath_ = read;
+      emit beneathChanged();
+    };
+  });
+}
+
 /// Where no bench is open, and only one can be meant.
 void Comparison::takeBenchBeside(const QString& path) {
   const QDir folder = QFileInfo(path).dir();

@@ -32,6 +32,15 @@ struct ComparedFiles {
   QStringList recordings, heldout;
 };
 
+/// The position in a recording that lies beneath the one that is compared; both are laid over each other by their
+/// beginnings.
+struct BeneathRecording {
+  QString name;
+  std::shared_ptr<const Overview> overview;
+  bool linear = false;
+  double begin_s = 0.0, first = 0.0;  ///< time and position of its first row
+};
+
 class Comparison : public QObject {
   Q_OBJECT
 
@@ -49,6 +58,9 @@ class Comparison : public QObject {
   void openTogether(const ComparedFiles& files);
   void takeRecording(const Recording& recording);
   void takeBench(const Bench& bench);
+  /// Reads one of ours, CSV or blocks, in a pool thread; without a name it is called as its file. An empty path takes
+  /// what lies there away.
+  void layBeneath(const QString& path, const QString& name = {});
   /// A bench if the name ends in .json, a recording otherwise.
   void open(const QString& path);
 
@@ -65,6 +77,7 @@ class Comparison : public QObject {
   const std::optional<Recording>& recording() const { return mended_ ? mended_ : recording_; }
   /// The position in recording(), ready to be drawn at any zoom; it comes a little after the recording.
   const std::shared_ptr<const Overview>& overview() const { return overview_; }
+  const std::optional<BeneathRecording>& beneath() const { return beneath_; }
   const std::optional<Recording>& heldout() const { return heldout_; }
   /// All that a diagnosis takes, the first of each as above.
   std::vector<Recording> recordings() const { return together(recording(), beside_); }
@@ -92,6 +105,7 @@ class Comparison : public QObject {
  signals:
   void inputsChanged();
   void overviewChanged();
+  void beneathChanged();
   void progressChanged();
   void diagnosisChanged();
   void tracesChanged();
@@ -123,6 +137,8 @@ class Comparison : public QObject {
   std::set<std::string> leftOut_;
   std::shared_ptr<const Overview> overview_;
   unsigned wantedOverview_ = 0;  ///< number of the newest
+  std::optional<BeneathRecording> beneath_;
+  unsigned wantedBeneath_ = 0;
   Trace base_, shown_;
   std::optional<TorqueView> torque_;
   std::optional<Evidence> evidence_;

@@ -27,7 +27,7 @@ void KeptResults::keepRun(const RunSnapshot& snapshot) {
     run.write = [done, words = wordsOf(spokenLanguage())](const std::string& folder) {
       return writeCommission(*done, {}, folder, words);
     };
-    project_.put(run, [this, device = done->identity.device] { emit mapKept(device); });
+    project_.put(run, [this, board = boardName(done->identity)] { emit mapKept(board); });
   } else if (snapshot.kind == RunKind::identification && done->knows(Known::motor)) {
     run.kind = "identification";
     run.write = [done](const std::string& folder) { return writeIdentification(*done, folder); };

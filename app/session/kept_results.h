@@ -20,7 +20,7 @@ class KeptResults : public QObject {
 
  signals:
   /// The friction map of this board's sweeps is in the project.
-  void mapKept(const std::string& device);
+  void mapKept(const std::string& board);  ///< boardName()
 
  private:
   void keepRun(const RunSnapshot& snapshot);

@@ -12,7 +12,7 @@ namespace {
 constexpr double leastGap_s = 0.2;  // so that it can be seen
 
 bool isSameBoard(const Identity& one, const Identity& other) {
-  return one.device == other.device && one.firmware == other.firmware && one.axis == other.axis &&
+  return mayBeSame(one, other) && one.firmware == other.firmware && one.axis == other.axis &&
          one.simulated == other.simulated;
 }
 
@@ -52,7 +52,7 @@ std::optional<Sample> LiveSamples::current() const {
 }
 
 Result<Recording> LiveSamples::sealed(const char* name, const std::vector<Sample>& samples) const {
-  return sealSamples(name, samples, {{"device", board_.device}, {"firmware", board_.firmware}}, board_.axis);
+  return sealSamples(name, samples, notesOf(board_), board_.axis);
 }
 
 Result<Recording> LiveSamples::stretch(const LiveHistory& view, double from_s, double to_s) const {
@@ -65,9 +65,10 @@ void LiveSamples::startRecording() {
   endWanted_ = false;
   ProjectRun run;
   run.device = board_.device;
+  run.deviceSerial = board_.serialNumber;
   run.firmware = board_.firmware;
   run.by = thisRun().by;
-  const BlockHead head{sampleColumns(board_.axis), {{"device", board_.device}, {"firmware", board_.firmware}}};
+  const BlockHead head{sampleColumns(board_.axis), notesOf(board_)};
   project_.inProject([this, run, head](Project* project) -> std::function<void()> {
     const auto blocks = std::make_shared<std::optional<BlockWriter>>();
     const auto begun = project != nullptr

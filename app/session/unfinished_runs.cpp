@@ -28,26 +28,26 @@ UnfinishedRuns::UnfinishedRuns(Connection& connection, BenchRuns& bench, KeptRes
 }
 
 void UnfinishedRuns::lookForOne() {
-  const std::string device = connection_.identity().device;
+  const Identity board = connection_.identity();
   if (isUnfinished(bench_.known()) || bench_.known().knows(Known::motor)) return;
-  project_.inProject([this, jobs = jobs_, device](Project* project) -> std::function<void()> {
-    if (project == nullptr || jobs->count(device) > 0) return {};
-    auto found = UnfinishedJob::find(placeIn(*project), device);
+  project_.inProject([this, jobs = jobs_, board](Project* project) -> std::function<void()> {
+    if (project == nullptr || jobs->count(boardName(board)) > 0) return {};
+    auto found = UnfinishedJob::find(placeIn(*project), board);
     if (!found) return {};
-    const auto job = jobs->emplace(device, std::move(*found)).first;
-    return [this, device, known = job->second.known(), since_s = job->second.since_s()] {
-      takeUp(device, known, since_s);
+    const auto job = jobs->emplace(boardName(board), std::move(*found)).first;
+    return [this, board, known = job->second.known(), since_s = job->second.since_s()] {
+      takeUp(boardName(board), known, since_s);
     };
   });
 }
 
-void UnfinishedRuns::takeUp(const std::string& device, const Commission& known, double since_s) {
+void UnfinishedRuns::takeUp(const std::string& board, const Commission& known, double since_s) {
   // What was started meanwhile may have ended, too, and would be forgotten.
-  const bool still = connection_.connected() && connection_.identity().device == device && !connection_.hasRun();
+  const bool still = connection_.connected() && boardName(connection_.identity()) == board && !connection_.hasRun();
   if (!still) {
     // It stays on disk for another time.
-    project_.inProject([jobs = jobs_, device](Project*) -> std::function<void()> {
-      jobs->erase(device);
+    project_.inProject([jobs = jobs_, board](Project*) -> std::function<void()> {
+      jobs->erase(board);
       return {};
     });
     return;
@@ -74,7 +74,7 @@ void UnfinishedRuns::write(const KnownPtr& known) {
   project_.inProject([this, jobs = jobs_, writing = writing_, known](Project* project) -> std::function<void()> {
     Result<void> kept;
     if (project != nullptr) {
-      auto& job = jobs->try_emplace(known->identity.device, placeIn(*project)).first->second;
+      auto& job = jobs->try_emplace(boardName(known->identity), placeIn(*project)).first->second;
       kept = job.keep(*known);
     }
     return [this, writing, kept] {
@@ -84,9 +84,9 @@ void UnfinishedRuns::write(const KnownPtr& known) {
   });
 }
 
-void UnfinishedRuns::remove(const std::string& device) {
-  project_.inProject([jobs = jobs_, device](Project*) -> std::function<void()> {
-    if (const auto job = jobs->find(device); job != jobs->end()) {
+void UnfinishedRuns::remove(const std::string& board) {
+  project_.inProject([jobs = jobs_, board](Project*) -> std::function<void()> {
+    if (const auto job = jobs->find(board); job != jobs->end()) {
       job->second.remove();
       jobs->erase(job);
     }

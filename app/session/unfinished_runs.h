@@ -24,13 +24,13 @@ class UnfinishedRuns : public QObject {
                  QObject* parent = nullptr);
 
  private:
-  using Jobs = std::map<std::string, UnfinishedJob>;  ///< by device
+  using Jobs = std::map<std::string, UnfinishedJob>;  ///< by boardName()
 
   void lookForOne();
-  void takeUp(const std::string& device, const Commission& known, double since_s);
+  void takeUp(const std::string& board, const Commission& known, double since_s);
   void follow(const RunSnapshot& snapshot);
   void write(const KnownPtr& known);
-  void remove(const std::string& device);
+  void remove(const std::string& board);
 
   Connection& connection_;
   BenchRuns& bench_;

@@ -200,7 +200,7 @@ void BoardBar::showLink() {
   }
   link_->setText(linkWords());
   const Identity& identity = connection_.identity();
-  std::vector<Fact> facts{{tr("Device"), QString::fromStdString(identity.device), {}},
+  std::vector<Fact> facts{{tr("Device"), QString::fromStdString(boardName(identity)), {}},
                           {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
                           {tr("Address"), connection_.uri(), {}},
                           {tr("Samples"), tr("%1 a second").arg(identity.loopRate_Hz, 0, 'f', 0), {}},

@@ -69,7 +69,10 @@ BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   addTitle(tr("On the network"));
   add(count(), tr("TCP address…"), "tcp:127.0.0.1:2000",
       tr("A board behind a network adapter, or breakaway-board on this machine: write its address below"));
-  new WhileShown(this, 1s, [this] { showPorts(serialPorts()); });
+  new WhileShown(this, 1s, [this] {
+    showPorts(serialPorts());
+    return true;
+  });
   shown_ = {"nothing yet"};
   showPorts(serialPorts());
 }

@@ -5,6 +5,7 @@
 
 #include "session/language.h"
 #include "widgets/axis_units.h"
+#include "widgets/column_words.h"
 #include "widgets/number_text.h"
 #include "widgets/parameter_words.h"
 #include "widgets/run_words.h"
@@ -95,6 +96,25 @@ QString part(const RunComparison& comparison, bool beyond) {
                  mapRows(comparison, beyond));
 }
 
+QString channels(const RecordingComparison& recordings) {
+  QString rows;
+  const auto pair = [](double before, double after) {
+    return QString("%1 → %2").arg(numberText(before, 3), numberText(after, 3));
+  };
+  for (const ChannelChange& one : recordings.channels) {
+    const Column* column = columnNamed(one.channel);
+    if (column == nullptr) continue;
+    rows += row({QString("%1 (%2)").arg(wordsOf(*column), column->unit), pair(one.meanBefore, one.meanAfter),
+                 pair(one.rmsBefore, one.rmsAfter), numberText(one.differenceRms, 3)},
+                false);
+  }
+  return tableOf({comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Channel")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Mean")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Scatter")),
+                  comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Difference (RMS)"))},
+                 rows);
+}
+
 }  // namespace
 
 QString titleOf(const RunComparison& comparison) {
@@ -110,6 +130,14 @@ QString pageOf(const RunComparison& comparison) {
   if (comparison.before.motor != comparison.after.motor)
     page += "<p>" + comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "The runs are of two motors.")) + "</p>";
   const auto heading = [](const QString& text) { return "<h3>" + text + "</h3>"; };
+  if (comparison.recordings)
+    return page +
+           heading(comparisonText(QT_TRANSLATE_NOOP("ComparisonWords", "Laid over each other from their beginnings"))) +
+           "<p>" +
+           comparisonText(
+               QT_TRANSLATE_NOOP("ComparisonWords", "Over the %1 s that both last; the report has pictures."))
+               .arg(numberText(comparison.recordings->length_s, 4)) +
+           "</p>" + channels(*comparison.recordings);
   page +=
       beyond.isEmpty()
           ? heading(

@@ -61,7 +61,7 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
   onNewLook(this, [this] { applyLook(); });
   connect(&connection_, &Connection::came, this, &LivePlots::meetBoard);
   connect(&connection_, &Connection::changed, this, &LivePlots::showLoss);
-  new WhileShown(this, 33ms, [this] { refresh(); });
+  new WhileShown(this, 33ms, [this] { return refresh(); });
   startOver();
 }
 
@@ -211,15 +211,17 @@ void LivePlots::showSpectrum(bool shown) {
 }
 
 /// A picture in which nothing would move isn't drawn again.
-void LivePlots::refresh() {
+bool LivePlots::refresh() {
   const uint64_t before = consumed_;
   consume();
-  if (paused_ || (consumed_ == before && !stale_)) return;
+  const bool came = consumed_ != before;
+  if (paused_ || (!came && !stale_)) return came;
   shown_ = live_.history();
   stale_ = false;
   follow();
   if (trigger_->done()) setPaused(true);
   plot_->replot(QCustomPlot::rpQueuedReplot);
+  return true;
 }
 
 void LivePlots::consume() {

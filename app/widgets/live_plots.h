@@ -61,7 +61,7 @@ class LivePlots : public QWidget {
   /// Says so alone: the window makes the room.
   void setLarge(bool large);
   /// Takes the new samples over and draws; called by a timer, and by whoever wants a picture at once.
-  void refresh();
+  bool refresh();
 
  private:
   static constexpr int channelCount = 4;

@@ -97,7 +97,7 @@ LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, cons
   connect(&connection_, &Connection::changed, this, &LiveStrip::nameChannels);
   connect(&messages_, &Messages::said, this, &LiveStrip::countUnread);
   connect(&messages_, &Messages::read, this, &LiveStrip::countUnread);
-  new WhileShown(this, 100ms, [this] { refresh(); });
+  new WhileShown(this, 100ms, [this] { return refresh(); });
   nameChannels();
   countUnread();
   showOpen(false);
@@ -114,7 +114,7 @@ void LiveStrip::nameChannels() {
   refresh();
 }
 
-void LiveStrip::refresh() {
+bool LiveStrip::refresh() {
   const LiveHistory& history = live_.history();
   const auto newest = live_.current();
   for (size_t k = 0; k < numbers_.size(); ++k) {
@@ -133,6 +133,7 @@ void LiveStrip::refresh() {
     }
     numbers_[k].line->show(std::move(line), channel.leastSpan);
   }
+  return newest.has_value();
 }
 
 void LiveStrip::countUnread() {

@@ -25,7 +25,7 @@ class LiveStrip : public QWidget {
 
   LiveStrip(const Connection& connection, const LiveSamples& live, const Messages& messages, QWidget* parent = nullptr);
   void showOpen(bool open);
-  void refresh();
+  bool refresh();
 
  signals:
   void plotsAsked(bool open);

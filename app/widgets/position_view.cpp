@@ -24,21 +24,22 @@ PositionView::PositionView(const Connection& connection, const BenchRuns& bench,
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   setMinimumSize(1, 1);  // where there is no room for it, it draws nothing
   connect(&connection_, &Connection::changed, this, &PositionView::refresh);
-  new WhileShown(this, 33ms, [this] { refresh(); });
+  new WhileShown(this, 33ms, [this] { return refresh(); });
 }
 
-void PositionView::refresh() {
+bool PositionView::refresh() {
   const auto newest = live_.current();
   const auto at = newest ? std::optional(newest->angle_rad) : std::nullopt;
   const auto index = bench_.index_rad() ? std::optional(bench_.index_rad()->value) : std::nullopt;
   if (!connection_.linear()) {
     setCurrentWidget(dial_);
     dial_->show(at, index);
-    return;
+    return newest.has_value();
   }
   setCurrentWidget(strip_);
   const bool homed = bench_.axisIsHomed();
   strip_->show(at, homed ? std::optional(bench_.known().counted) : std::nullopt, homed ? index : std::nullopt);
+  return newest.has_value();
 }
 
 }  // namespace breakaway

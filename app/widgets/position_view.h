@@ -16,7 +16,7 @@ class PositionView : public QStackedWidget {
   PositionView(const Connection& connection, const BenchRuns& bench, const LiveSamples& live, QWidget* parent);
 
  private:
-  void refresh();
+  bool refresh();
 
   const Connection& connection_;
   const BenchRuns& bench_;

@@ -17,6 +17,7 @@ namespace breakaway {
 
 namespace {
 constexpr size_t mostDots = 4000;
+constexpr int mostName = 24;         // characters beside the title
 constexpr int topMargin_px = 7;      // half of a tick's label
 constexpr int measuredWidth_px = 3;  // of its line; more points than such widths can't be told apart
 }  // namespace
@@ -28,6 +29,7 @@ ResidualPlots::ResidualPlots(Comparison& comparison, QWidget* parent) : QWidget(
   layout->addWidget(plot_);
   connect(&comparison_, &Comparison::inputsChanged, this, &ResidualPlots::showAll);
   connect(&comparison_, &Comparison::overviewChanged, this, &ResidualPlots::draw);
+  connect(&comparison_, &Comparison::beneathChanged, this, &ResidualPlots::draw);
   connect(&comparison_, &Comparison::tracesChanged, this, &ResidualPlots::draw);
   applyLook();
   onNewLook(this, [this] { applyLook(); });
@@ -40,6 +42,8 @@ void ResidualPlots::buildPlot() {
   plot_->setMinimumSize(200, 120);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNotAntialiasedElements(QCP::aePlottables);
+  // Line by line: the outline of a thick polyline of many points takes Qt's rasteriser time with their square.
+  plot_->setPlottingHint(QCP::phFastPolylines);
   plot_->plotLayout()->clear();
   plot_->plotLayout()->setRowSpacing(2);
   above_ = new QCPAxisRect(plot_);
@@ -63,6 +67,7 @@ void ResidualPlots::buildPlot() {
   simulated_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   for (QCPGraph*& graph : residual_)
     graph = plot_->addGraph(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
+  beneath_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   wander_ = new QCPItemRect(plot_);
   for (QCPItemPosition* position : wander_->positions()) {
     position->setAxes(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
@@ -82,6 +87,7 @@ void ResidualPlots::buildPlot() {
   follow(below_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atBottom));
   connect(above_->axis(QCPAxis::atBottom), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] {
     drawMeasured();
+    drawBeneath();
     emit visibleChanged();
   });
   const auto inset = [this](QCPAxisRect* rect, Qt::Alignment where) {
@@ -120,6 +126,7 @@ void ResidualPlots::applyLook() {
   const Look& look = Look::of(palette());
   dress(*plot_, look);
   measured_->setPen(QPen(look.muted, measuredWidth_px));
+  beneath_->setPen(QPen(look.curve(1), 1, Qt::DashLine));
   simulated_->setPen(QPen(look.curve(0), 1));
   residual_[0]->setPen(QPen(look.curve(1), 1));
   residual_[1]->setPen(QPen(look.curve(0), 1));
@@ -181,7 +188,7 @@ void ResidualPlots::take(const QVariant& kept) {
 void ResidualPlots::draw() {
   for (QCPItemRect* band : bands_) plot_->removeItem(band);
   bands_.clear();
-  for (QCPGraph* graph : {measured_, simulated_, residual_[0], residual_[1]}) graph->data()->clear();
+  for (QCPGraph* graph : {beneath_, measured_, simulated_, residual_[0], residual_[1]}) graph->data()->clear();
   wander_->setVisible(inTorque());
   const auto& recording = comparison_.recording();
   nameParts();
@@ -229,7 +236,10 @@ void ResidualPlots::nameParts() {
                       : inTorque()
                           ? (linear() ? tr("Force left (N) over %1") : tr("Torque left (mNm) over %1")).arg(over)
                           : (linear() ? tr("Residual (mm) over %1") : tr("Residual (°) over %1")).arg(over));
-  names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
+  const bool beneath = comparison_.beneath() && comparison_.beneath()->linear == linear();
+  names_[0]->setText(!comparison_.recording() ? QString()
+                     : beneath ? tr("measured; dashed: %1").arg(comparison_.beneath()->name.left(mostName))
+                               : tr("measured"));
   names_[1]->setText(inTorque()  ? tr("this motion can't be foreseen: the torque counts")
                      : diagnosed ? tr("simulated with findings")
                                  : QString());
@@ -246,14 +256,34 @@ void ResidualPlots::drawMeasured() {
   if (!overview) return;
   const auto [from_s, to_s] = visible_s();
   QVector<QCPGraphData> points;
-  for (const Overview::Point& point :
-       overview->between(from_s, to_s, static_cast<size_t>(std::max(200, above_->width() / measuredWidth_px))))
+  for (const Overview::Point& point : overview->between(from_s, to_s, mostParts()))
     points.append(QCPGraphData(point.time_s, scale() * point.value));
   measured_->data()->set(points, true);
 }
 
+/// More than such widths of the measured line can't be told apart.
+size_t ResidualPlots::mostParts() const {
+  return static_cast<size_t>(std::max(200, above_->width() / measuredWidth_px));
+}
+
+/// Both recordings begin at the same time and place: encoders count from anywhere.
+void ResidualPlots::drawBeneath() {
+  const auto& beneath = comparison_.beneath();
+  const auto& recording = comparison_.recording();
+  if (!beneath || !recording || beneath->linear != linear()) return;
+  const auto position = recording->channel(linear() ? "position_m" : "angle_rad");
+  const double later_s = recording->time().front() - beneath->begin_s;
+  const double higher = position.empty() ? 0.0 : position.front() - beneath->first;
+  const auto [from_s, to_s] = visible_s();
+  QVector<QCPGraphData> points;
+  for (const Overview::Point& point : beneath->overview->between(from_s - later_s, to_s - later_s, mostParts()))
+    points.append(QCPGraphData(point.time_s + later_s, scale() * (point.value + higher)));
+  beneath_->data()->set(points, true);
+}
+
 void ResidualPlots::drawMeasurement(const Recording& recording) {
   drawMeasured();
+  drawBeneath();
   const auto time = recording.time();
   // Simulated motion that can't be foreseen runs away, and says nothing of the model.
   const auto& simulated = inTorque() ? std::vector<double>() : comparison_.shownTrace().position;
@@ -268,6 +298,8 @@ void ResidualPlots::drawMeasurement(const Recording& recording) {
   bool found = false;
   const QCPRange alsoSimulated = simulated_->getValueRange(found);
   if (found) range.expand(alsoSimulated);
+  const QCPRange alsoBeneath = beneath_->getValueRange(found);
+  if (found) range.expand(alsoBeneath);
   const double span = std::max(range.size(), 1e-9);
   above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * span, range.upper + 0.08 * span);
 }

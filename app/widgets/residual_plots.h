@@ -56,6 +56,8 @@ class ResidualPlots : public QWidget {
   double scale() const;  ///< shown position = scale · SI
   void nameParts();
   void drawMeasured();
+  void drawBeneath();
+  size_t mostParts() const;
   void drawMeasurement(const Recording& recording);
   void drawResiduals(const Recording& recording);
   void drawTorques(const Recording& recording);
@@ -71,6 +73,7 @@ class ResidualPlots : public QWidget {
   QCPGraph* measured_ = nullptr;
   QCPGraph* simulated_ = nullptr;
   std::array<QCPGraph*, 2> residual_{};  ///< base, with findings
+  QCPGraph* beneath_ = nullptr;          ///< another recording
   std::array<QCPTextElement*, 2> titles_{};
   std::array<QCPTextElement*, 4> names_{};  ///< measured, simulated, base, with findings
   QCPTextElement* hint_ = nullptr;

@@ -26,6 +26,7 @@ RotorDial::RotorDial(QWidget* parent) : QWidget(parent) {
 }
 
 void RotorDial::show(std::optional<double> angle_rad, std::optional<double> index_rad) {
+  if (angle_rad_ == angle_rad && index_rad_ == index_rad) return;
   angle_rad_ = angle_rad;
   index_rad_ = index_rad;
   update();

@@ -8,15 +8,20 @@
 
 namespace breakaway {
 
-/// Calls `show` at once when `widget` comes into sight, and then every `every`.
+/// Calls `show` at once when `widget` comes into sight, and then every `every`. `show` says whether there was anything
+/// new: while there isn't for a while, it is called four times a second at most.
 class WhileShown : public QObject {
  public:
-  WhileShown(QWidget* widget, std::chrono::milliseconds every, std::function<void()> show);
+  WhileShown(QWidget* widget, std::chrono::milliseconds every, std::function<bool()> show);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  std::function<void()> show_;
+  void showNow();
+
+  std::function<bool()> show_;
+  std::chrono::milliseconds every_;
+  int nothingNew_ = 0;  ///< times in a row
   QTimer timer_;
 };
 

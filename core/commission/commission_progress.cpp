@@ -93,6 +93,7 @@ std::string stateText(const Commission& progress) {
             {"contradictions", progress.contradictions},
             {"runs", progress.runs.size()},
             {"strokes", progress.strokes.size()}};
+  if (!progress.identity.serialNumber.empty()) json["serial_number"] = progress.identity.serialNumber;
   if (progress.travel)
     json["travel"] = {{"low_m", progress.travel->low_m},
                       {"high_m", progress.travel->high_m},
@@ -274,6 +275,7 @@ Result<Commission> readProgress(const std::string& folder) {
   checkSchema(*root);
   Commission progress;
   progress.identity.device = root->text("device");
+  progress.identity.serialNumber = root->text("serial_number", "");
   progress.sweeps.bins = countOf(*root, "bins", mostBins);
   progress.sweeps.turns = countOf(*root, "turns", mostTurns);
   progress.sweeps.speedRun_s = root->number("speed_run_s", Allowed::positive);

@@ -75,7 +75,7 @@ Result<void> Job::prepare(Drive& drive) {
 Result<void> Job::goOn(const Commission& asked) {
   if (known_.identity.device.empty()) return {};
   if (options_.measuresAnew) {
-    if (known_.identity.device != asked.identity.device) known_ = {};
+    if (!mayBeSame(known_.identity, asked.identity)) known_ = {};
     if (known_.trustedTorqueConstant_Nm_per_A != asked.trustedTorqueConstant_Nm_per_A ||
         known_.addedInertia_kg_m2.value != asked.addedInertia_kg_m2.value)
       known_.forget({Known::windingTest});
@@ -83,9 +83,9 @@ Result<void> Job::goOn(const Commission& asked) {
     return {};
   }
   const SweepSettings &before = known_.sweeps, &now = asked.sweeps;
-  if (known_.identity.device != asked.identity.device)
-    return Error{"board", message("is {}, but the interrupted job was begun on {}", asked.identity.device,
-                                  known_.identity.device)};
+  if (!mayBeSame(known_.identity, asked.identity))
+    return Error{"board", message("is {}, but the interrupted job was begun on {}", boardName(asked.identity),
+                                  boardName(known_.identity))};
   if (before.bins != now.bins || before.turns != now.turns)
     return Error{"bins and turns", message("are {} and {}, but the interrupted job was begun with {} and {}", now.bins,
                                            now.turns, before.bins, before.turns)};
@@ -220,7 +220,7 @@ Result<void> Job::keepRun(Drive& drive) {
   if (lost_ > 0) known_.remark(message("{}: {} samples were lost on the way.", run_.name, lost_));
   if (auto kept = keep(); !kept) return kept;
   if (!options_.keepRecordings || recorder_->empty()) return {};
-  auto recording = recorder_->seal({{"device", drive.identity().device}, {"firmware", drive.identity().firmware}});
+  auto recording = recorder_->seal(notesOf(drive.identity()));
   if (!recording) return recording.error();
   const std::string name = known_.part > 1 ? run_.name + "-part" + std::to_string(known_.part) : run_.name;
   if (options_.keepRecording) return options_.keepRecording(name, *recording);

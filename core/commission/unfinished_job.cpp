@@ -38,9 +38,8 @@ bool goesOn(const Commission& before, const Commission& now) {
              return (a.duration_s == b.duration_s && a.middle_s == b.middle_s && a.zero_A == b.zero_A) || grown(a, b);
            });
   };
-  return before.identity.device == now.identity.device && before.sweeps == now.sweeps &&
-         begins(before.runs, now.runs) && begins(before.strokes, now.strokes) &&
-         before.breakaways.size() <= now.breakaways.size();
+  return mayBeSame(before.identity, now.identity) && before.sweeps == now.sweeps && begins(before.runs, now.runs) &&
+         begins(before.strokes, now.strokes) && before.breakaways.size() <= now.breakaways.size();
 }
 
 double secondsSince1970(const fs::file_time_type& time) {
@@ -103,12 +102,12 @@ std::string unfinishedPlace(const std::string& projectFolder) {
 UnfinishedJob::UnfinishedJob(std::string place) : place_(std::move(place)) {
 }
 
-std::optional<UnfinishedJob> UnfinishedJob::find(const std::string& place, const std::string& device) {
+std::optional<UnfinishedJob> UnfinishedJob::find(const std::string& place, const Identity& board) {
   for (const Candidate& one : candidatesIn(place)) {
     auto held = std::make_unique<OpenFile>(lockOf(one.folder), OpenFile::Purpose::mending);
     if (!held->good() || held->lock() != 0) continue;
     auto known = readProgress(one.folder);
-    if (!known || known->identity.device != device) continue;
+    if (!known || !mayBeSame(known->identity, board)) continue;
     UnfinishedJob job(place);
     job.folder_ = one.folder;
     job.held_ = std::move(held);

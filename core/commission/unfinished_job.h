@@ -9,6 +9,7 @@
 #include "base/open_file.h"
 #include "base/result.h"
 #include "commission/known.h"
+#include "experiment/identity.h"
 
 namespace breakaway {
 
@@ -16,8 +17,8 @@ namespace breakaway {
 class UnfinishedJob {
  public:
   explicit UnfinishedJob(std::string place);
-  /// Of this board, the newest that no process holds. Nothing: there is none that can be read.
-  static std::optional<UnfinishedJob> find(const std::string& place, const std::string& device);
+  /// Of a board that may be this one, the newest that no process holds. Nothing: there is none that can be read.
+  static std::optional<UnfinishedJob> find(const std::string& place, const Identity& board);
 
   /// What was written last, or found.
   const Commission& known() const { return known_; }

@@ -85,7 +85,8 @@ void HtmlReport::facts(const std::vector<std::pair<Saying, Saying>>& rows) {
 }
 
 void HtmlReport::table(const std::vector<Saying>& header, const std::vector<std::vector<Saying>>& rows,
-                       const Saying& caption) {
+                       const Saying& caption, const std::vector<std::string>& links) {
+  assert(links.empty() || links.size() == rows.size());
   std::vector<bool> numeric(header.size(), !rows.empty());
   for (const auto& row : rows) {
     assert(row.size() == header.size());
@@ -99,9 +100,14 @@ void HtmlReport::table(const std::vector<Saying>& header, const std::vector<std:
   body_ += "<thead><tr>";
   for (size_t c = 0; c < header.size(); ++c) body_ += tag("th", c) + said(header[c]) + "</th>";
   body_ += "</tr></thead><tbody>\n";
-  for (const auto& row : rows) {
+  for (size_t k = 0; k < rows.size(); ++k) {
+    const auto& row = rows[k];
+    const bool leads = !links.empty() && !links[k].empty();
     body_ += "<tr>";
-    for (size_t c = 0; c < row.size(); ++c) body_ += tag("td", c) + said(row[c]) + "</td>";
+    for (size_t c = 0; c < row.size(); ++c) {
+      const std::string text = said(row[c]);
+      body_ += tag("td", c) + (leads && c == 0 ? "<a href=\"" + links[k] + "\">" + text + "</a>" : text) + "</td>";
+    }
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";

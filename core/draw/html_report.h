@@ -28,9 +28,10 @@ class HtmlReport {
   void list(const std::vector<Saying>& items);
   /// Names and values side by side.
   void facts(const std::vector<std::pair<Saying, Saying>>& rows);
-  /// Every row as long as the header. Cells that begin with a number are set to the right.
+  /// Every row as long as the header. Cells that begin with a number are set to the right. `links`: where each row's
+  /// first cell leads to, an address that holds nothing to be escaped; empty, or of an empty address: nowhere.
   void table(const std::vector<Saying>& header, const std::vector<std::vector<Saying>>& rows,
-             const Saying& caption = {});
+             const Saying& caption = {}, const std::vector<std::string>& links = {});
   void figure(const Figure& figure, const Saying& caption = {}, int width_px = 860, int height_px = 380);
   /// A figure that is SVG already, e.g. from toSvg().
   void svg(std::string_view svg, const Saying& caption = {});

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/axis.h"
 
@@ -38,8 +40,8 @@ struct Abilities {
 /// On a linear axis whatever is counted in rad here, in samples, commands and settings is in m, Nm are N, and kg m² are
 /// kg: the same laws hold.
 struct Identity {
-  std::string device;
-  std::string firmware;
+  std::string device = {};
+  std::string firmware = {};
   bool simulated = false;
   double loopRate_Hz = 0.0;
   double countsPerRev = 0.0;  ///< per m on a linear axis
@@ -47,6 +49,25 @@ struct Identity {
   bool hasIndex = false;
   Abilities can{};
   Axis axis = Axis::rotary;
+  std::string serialNumber = {};  ///< empty: it says none
 };
+
+/// Whether two boards may be one: of the same model, and of the same serial number where both say theirs.
+inline bool mayBeSame(const Identity& one, const Identity& other) {
+  return one.device == other.device &&
+         (one.serialNumber == other.serialNumber || one.serialNumber.empty() || other.serialNumber.empty());
+}
+
+/// The model, and behind it the serial number where the board says one: "reference board (0042)".
+inline std::string boardName(const Identity& board) {
+  return board.serialNumber.empty() ? board.device : board.device + " (" + board.serialNumber + ")";
+}
+
+/// What recordings note of the board that they are from.
+inline std::vector<std::pair<std::string, std::string>> notesOf(const Identity& board) {
+  std::vector<std::pair<std::string, std::string>> notes{{"device", board.device}, {"firmware", board.firmware}};
+  if (!board.serialNumber.empty()) notes.emplace_back("serial_number", board.serialNumber);
+  return notes;
+}
 
 }  // namespace breakaway

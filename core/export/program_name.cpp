@@ -41,9 +41,14 @@ std::set<std::string> namesIn(const Model& model) {
 
 }  // namespace
 
-std::optional<std::string> nameFault(const Model& model, const std::string& form, const std::string& name) {
+std::optional<std::string> nameFault(const std::string& form, const std::string& name) {
   if (!isIdentifier(name)) return "expected letters, digits and _, a letter first";
   if (wordsOf(form).contains(name)) return "which the language keeps for itself";
+  return {};
+}
+
+std::optional<std::string> nameFault(const Model& model, const std::string& form, const std::string& name) {
+  if (auto fault = nameFault(form, name)) return fault;
   if ((form == "matlab" || form == "modelica") && namesIn(model).contains(name))
     return "which is the name of something in it";
   return {};

@@ -13,5 +13,7 @@ namespace breakaway {
 /// it: of a function, of which MATLAB would make a constructor, of a constant or a variable. Joints may have any
 /// identifier. Precondition: termsOf(model) succeeds.
 std::optional<std::string> nameFault(const Model& model, const std::string& form, const std::string& name);
+/// The same of what has no names of its own that could be in the way, such as a friction map's tables.
+std::optional<std::string> nameFault(const std::string& form, const std::string& name);
 
 }  // namespace breakaway

@@ -161,19 +161,6 @@ std::string valuesJson(const Shown& column) {
   return json + (column.bySize ? ",\"abs\":true" : "");
 }
 
-/// A path as an address: what isn't plain is spelled out, so that none is anything but a path.
-std::string addressOf(const std::string& report) {
-  const bool address = report.starts_with("http://") || report.starts_with("https://");
-  std::string out;
-  for (const char c : report) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("-_./~").find(c) != std::string_view::npos ||
-                       (address && std::string_view(":?&=%#+@,;").find(c) != std::string_view::npos);
-    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return out;
-}
-
 std::string dataJson(const std::vector<Shown>& columns, const std::vector<std::string>& reports, size_t rows,
                      size_t apart) {
   std::string json = fmt::format("{{\"rows\":{},\"apart\":{},\"columns\":", rows, apart);
@@ -237,6 +224,18 @@ std::string filters(const std::vector<FleetEntry>& entries) {
 }
 
 }  // namespace
+
+std::string addressOf(const std::string& report) {
+  const bool address = report.starts_with("http://") || report.starts_with("https://");
+  std::string out;
+  for (const char c : report) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-_./~").find(c) != std::string_view::npos ||
+                       (address && std::string_view(":?&=%#+@,;").find(c) != std::string_view::npos);
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
 
 std::string fleetTable(const std::vector<FleetEntry>& entries, const std::vector<FleetColumn>& base,
                        const std::vector<StandsOut>& order) {

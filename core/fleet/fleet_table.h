@@ -9,6 +9,10 @@
 
 namespace breakaway {
 
+/// A report's path or address as a page's links have it: what isn't plain is spelled out, so that no path is anything
+/// but a path, and nothing in it has to be escaped.
+std::string addressOf(const std::string& report);
+
 /// Rows that stand in the page as such, for browsers that run no script.
 inline constexpr size_t plainRows = 200;
 

@@ -65,6 +65,7 @@ void addOutliers(HtmlReport& page, const std::vector<FleetEntry>& entries, const
       "from {} deviations on, by its furthest parameter; with fewer than {} values none does.",
       standsOutFrom, fewestForOutliers));
   std::vector<std::vector<Saying>> rows;
+  std::vector<std::string> links;
   for (size_t k = 0; k < std::min(apart, mostOutliers); ++k) {
     const StandsOut& one = order[k];
     const auto column = std::find_if(columns.begin(), columns.end(),
@@ -75,10 +76,12 @@ void addOutliers(HtmlReport& page, const std::vector<FleetEntry>& entries, const
     if (column == columns.end() || value == parameters.end()) continue;
     rows.push_back({entries[one.entry].id, one.parameter, valueText(value->second), numberText(column->median),
                     numberText(column->deviation, 2), numberText(one.distance, 2)});
+    links.push_back(addressOf(entries[one.entry].report));
   }
   if (rows.empty()) return page.paragraph("None does.");
   page.table({"entry", "parameter", "value [95 %]", "the fleet's median", "deviation", "deviations away"}, rows,
-             apart > rows.size() ? "The furthest " + std::to_string(rows.size()) + " of " + std::to_string(apart) : "");
+             apart > rows.size() ? "The furthest " + std::to_string(rows.size()) + " of " + std::to_string(apart) : "",
+             links);
 }
 
 void addSpread(HtmlReport& page, const std::vector<FleetColumn>& columns) {
@@ -155,16 +158,20 @@ void addFindings(HtmlReport& page, const std::vector<FleetEntry>& entries) {
 
 void addErrors(HtmlReport& page, const std::vector<FleetEntry>& entries) {
   std::vector<std::vector<Saying>> rows;
+  std::vector<std::string> links;
   size_t failed = 0;
   for (const FleetEntry& entry : entries) {
     if (entry.error.empty()) continue;
     ++failed;
-    if (rows.size() < mostErrors) rows.push_back({entry.id, entry.error});
+    if (rows.size() == mostErrors) continue;
+    rows.push_back({entry.id, entry.error});
+    links.push_back(addressOf(entry.report));
   }
   if (failed == 0) return;
   page.heading("What ended in an error");
   page.table({"entry", "error"}, rows,
-             failed > rows.size() ? "The first " + std::to_string(rows.size()) + " of " + std::to_string(failed) : "");
+             failed > rows.size() ? "The first " + std::to_string(rows.size()) + " of " + std::to_string(failed) : "",
+             links);
 }
 
 }  // namespace

@@ -38,10 +38,19 @@ std::string commentText(std::string text) {
   return text;
 }
 
-std::string whatEntriesHold(const FrictionMap& map) {
+/// What a header's names begin with: lower and upper case.
+struct Prefix {
+  std::string name, upper;
+  explicit Prefix(const std::string& asked) : name(asked.empty() ? "breakaway" : asked), upper(name) {
+    for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+};
+
+std::string whatEntriesHold(const FrictionMap& map, const Prefix& prefix) {
   if (map.axis == Axis::rotary)
     return "motor torque by rotor angle, 0 at the encoder's index.\n"
-           "   Entry k holds the angles from k to k + 1 times 2 pi / BREAKAWAY_MAP_BINS.";
+           "   Entry k holds the angles from k to k + 1 times 2 pi / " +
+           prefix.upper + "_MAP_BINS.";
   const double width_m = map.bins.size() > 1 ? map.bins[1].angle_rad - map.bins[0].angle_rad : 0.0;
   return "motor force by position, 0 at the encoder's index, or at the lower end without one.\n"
          "   Entry k holds the positions around " +
@@ -68,43 +77,44 @@ bool worthTabling(const std::string& column, Axis axis) {
 }
 
 /// Functions on the tables: between the bins' centres by straight lines, without a library.
-std::string tableFunctions(const FrictionMap& map) {
+std::string tableFunctions(const FrictionMap& map, const Prefix& prefix) {
   const bool rotary = map.axis == Axis::rotary;
   const double first = map.bins.empty() ? 0.0 : map.bins.front().angle_rad;
   const auto count = static_cast<double>(std::max<size_t>(map.bins.size(), 1));
   const double width = rotary ? turn_rad / count : map.bins.size() > 1 ? map.bins[1].angle_rad - first : 1.0;
-  const auto on = [&map](const char* name) { return "breakaway_map_" + nameOn(map.axis, name); };
+  const std::string bins = prefix.upper + "_MAP_BINS", at = prefix.name + "_map_at(";
+  const auto on = [&](const char* name) { return prefix.name + "_map_" + nameOn(map.axis, name); };
   const std::string place = nameOn(map.axis, "angle_rad"), speed = nameOn(map.axis, "velocity_rad_per_s");
-  const std::string ends = rotary ? "  k %= BREAKAWAY_MAP_BINS;\n  if (k < 0) k += BREAKAWAY_MAP_BINS;\n"
-                                    "  next = k + 1 < BREAKAWAY_MAP_BINS ? k + 1 : 0;\n"
-                                  : "  if (k < 0) { k = 0; part = 0.0f; }\n"
-                                    "  if (k > BREAKAWAY_MAP_BINS - 1) { k = BREAKAWAY_MAP_BINS - 1; part = 0.0f; }\n"
-                                    "  next = k + 1 < BREAKAWAY_MAP_BINS ? k + 1 : k;\n";
+  const std::string ends =
+      rotary ? "  k %= " + bins + ";\n  if (k < 0) k += " + bins + ";\n  next = k + 1 < " + bins + " ? k + 1 : 0;\n"
+             : "  if (k < 0) { k = 0; part = 0.0f; }\n  if (k > " + bins + " - 1) { k = " + bins +
+                   " - 1; part = 0.0f; }\n  next = k + 1 < " + bins + " ? k + 1 : k;\n";
   return "/* A table's value at a place, by a straight line between neighbours" +
          std::string(rotary ? "; any number of turns away. */\n" : ", beyond the ends as there. */\n") +
-         "static inline float breakaway_map_at(const float *table, float " + place + ") {\n  float part = (" + place +
-         " - " + floatLiteral(static_cast<float>(first)) + ") / " + floatLiteral(static_cast<float>(width)) +
+         "static inline float " + at + "const float *table, float " + place + ") {\n  float part = (" + place + " - " +
+         floatLiteral(static_cast<float>(first)) + ") / " + floatLiteral(static_cast<float>(width)) +
          ";\n  long k = (long)part, next;\n  if (part < (float)k) k -= 1;\n  part -= (float)k;\n" + ends +
          "  return table[k] + part * (table[next] - table[k]);\n}\n\n"
          "/* What keeps it moving at a place and velocity, friction and position " +
          std::string(rotary ? "torque in Nm" : "force in N") + "; 0 at standstill. */\nstatic inline float " +
-         on("moving_Nm") + "(float " + place + ", float " + speed + ") {\n  if (" + speed +
-         " > 0.0f)\n    return breakaway_map_at(" + on("coulomb_ccw_Nm") + ", " + place + ") + " + speed +
-         " * breakaway_map_at(" + on("viscous_ccw_Nm_s_per_rad") + ", " + place + ");\n  if (" + speed +
-         " < 0.0f)\n    return " + speed + " * breakaway_map_at(" + on("viscous_cw_Nm_s_per_rad") + ", " + place +
-         ") - breakaway_map_at(" + on("coulomb_cw_Nm") + ", " + place + ");\n  return 0.0f;\n}\n\n";
+         on("moving_Nm") + "(float " + place + ", float " + speed + ") {\n  if (" + speed + " > 0.0f)\n    return " +
+         at + on("coulomb_ccw_Nm") + ", " + place + ") + " + speed + " * " + at + on("viscous_ccw_Nm_s_per_rad") +
+         ", " + place + ");\n  if (" + speed + " < 0.0f)\n    return " + speed + " * " + at +
+         on("viscous_cw_Nm_s_per_rad") + ", " + place + ") - " + at + on("coulomb_cw_Nm") + ", " + place +
+         ");\n  return 0.0f;\n}\n\n";
 }
 
 /// Errors: a value that no float holds, with its bin and column.
-Result<std::string> headerText(const FrictionMap& map) {
-  std::string out = "/* Friction map of " + commentText(map.rig) + ": " + whatEntriesHold(map) + " */\n" +
-                    "#ifndef BREAKAWAY_FRICTION_MAP_H\n#define BREAKAWAY_FRICTION_MAP_H\n\n" +
-                    "#define BREAKAWAY_MAP_BINS " + std::to_string(map.bins.size()) + "\n" +
-                    "#define BREAKAWAY_MAP_TOTAL_VELOCITY_" + std::string(map.axis == Axis::rotary ? "RAD" : "M") +
-                    "_PER_S " + exactText(map.totalVelocity_rad_per_s) + "\n\n";
+Result<std::string> headerText(const FrictionMap& map, const Prefix& prefix) {
+  const std::string guard = prefix.upper + "_FRICTION_MAP_H";
+  std::string out = "/* Friction map of " + commentText(map.rig) + ": " + whatEntriesHold(map, prefix) + " */\n" +
+                    "#ifndef " + guard + "\n#define " + guard + "\n\n" + "#define " + prefix.upper + "_MAP_BINS " +
+                    std::to_string(map.bins.size()) + "\n" + "#define " + prefix.upper + "_MAP_TOTAL_VELOCITY_" +
+                    std::string(map.axis == Axis::rotary ? "RAD" : "M") + "_PER_S " +
+                    exactText(map.totalVelocity_rad_per_s) + "\n\n";
   for (const MapColumn& column : mapTable(map)) {
     if (!worthTabling(column.name, map.axis)) continue;
-    out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
+    out += "static const float " + prefix.name + "_map_" + column.name + "[" + prefix.upper + "_MAP_BINS] = {";
     for (size_t k = 0; k < column.values.size(); ++k) {
       if (!isFloat(column.values[k]))
         return Error{"bin " + std::to_string(k + 1) + ", column " + column.name,
@@ -114,19 +124,20 @@ Result<std::string> headerText(const FrictionMap& map) {
     }
     out += "\n};\n\n";
   }
-  return out + tableFunctions(map) + "#endif\n";
+  return out + tableFunctions(map, prefix) + "#endif\n";
 }
 
 /// A package of constants, each a table of two columns as Modelica.Blocks.Tables.CombiTable1Ds takes it. Its period is
 /// from the first place to the last, so a rotor's tables end where they begin, a turn later (Modelica Standard Library,
 /// Extrapolation.Periodic).
-std::string modelicaText(const FrictionMap& map) {
+std::string modelicaText(const FrictionMap& map, const std::string& asked) {
+  const std::string package = asked.empty() ? "BreakawayFrictionMap" : asked;
   const std::string place = nameOn(map.axis, "angle_rad");
   std::string out =
       "// Friction map of " + commentText(map.rig) + ", by " + thisRun().by + ". Each table's first column is " +
       place + ",\n// the second what its name says; for Modelica.Blocks.Tables.CombiTable1Ds" +
       (map.axis == Axis::rotary ? ", with Extrapolation.Periodic" : ", with Extrapolation.HoldLastPoint") +
-      ".\npackage BreakawayFrictionMap\n";
+      ".\npackage " + package + "\n";
   const auto columns = mapTable(map);
   for (const MapColumn& column : columns) {
     if (!worthTabling(column.name, map.axis)) continue;
@@ -138,7 +149,7 @@ std::string modelicaText(const FrictionMap& map) {
     if (closed) out += "; " + exactText(map.bins[0].angle_rad + turn_rad) + ", " + exactText(column.values[0]);
     out += "];\n";
   }
-  return out + "end BreakawayFrictionMap;\n";
+  return out + "end " + package + ";\n";
 }
 
 }  // namespace
@@ -148,15 +159,16 @@ const std::vector<std::string>& mapForms() {
   return forms;
 }
 
-Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path) {
+Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path,
+                       const std::string& name) {
   if (format == "csv") return writeFile(path, csvText(map));
   if (format == "json") return writeFile(path, withMade(mapJsonText(map)));
   if (format == "c-header") {
-    const auto header = headerText(map);
+    const auto header = headerText(map, Prefix(name));
     return header ? writeFile(path, *header) : header.error();
   }
   if (format == "mat") return writeMapMat(map, path);
-  if (format == "modelica") return writeFile(path, modelicaText(map));
+  if (format == "modelica") return writeFile(path, modelicaText(map, name));
   return Error{"format " + format, "is unknown, expected csv, json, c-header, mat or modelica"};
 }
 

@@ -12,9 +12,11 @@ namespace breakaway {
 /// What exportMap() knows.
 const std::vector<std::string>& mapForms();
 
-/// Writes the map as `format`: csv, json, c-header, mat or modelica. Errors: an unknown format (the known ones are
+/// Writes the map as `format`: csv, json, c-header, mat or modelica. `name`, an identifier: what all names of the
+/// header begin with, breakaway where it is empty, or the package's. Errors: an unknown format (the known ones are
 /// named), the file.
-Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path);
+Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path,
+                       const std::string& name = {});
 
 /// Reads `breakaway.map/1`. Errors name the file and the field, or the bin.
 Result<FrictionMap> readMap(const std::string& path);

@@ -21,7 +21,7 @@ std::vector<std::pair<Saying, Saying>> circumstances(const Commission& done) {
   const bool linear = done.linear();
   const std::string counts = numberText(done.identity.countsPerRev, 6);
   std::vector<std::pair<Saying, Saying>> facts{
-      {message("board"), done.identity.device + ", " + done.identity.firmware},
+      {message("board"), boardName(done.identity) + ", " + done.identity.firmware},
       {message("control rate"), numberText(done.identity.loopRate_Hz) + " Hz"},
       {message("encoder"), linear ? message("{} counts per m", counts) : message("{} counts per turn", counts)}};
   if (done.knows(Known::index))

@@ -9,11 +9,11 @@ namespace breakaway {
 
 namespace {
 
-struct Quantity {
+struct MapQuantity {
   MessageText<0> name;
   Estimate WayBin::*of;
 };
-constexpr Quantity quantities[] = {{"static", &WayBin::static_Nm}, {"Coulomb", &WayBin::coulomb_Nm}};
+constexpr MapQuantity quantities[] = {{"static", &WayBin::static_Nm}, {"Coulomb", &WayBin::coulomb_Nm}};
 
 /// The bin of `map` that a place lies in: maps need not have the same number of them.
 const MapBin& binAt(const FrictionMap& map, double place) {
@@ -35,7 +35,7 @@ bool isFrom(const Estimate& difference) {
   return difference.standardError > 0.0 && std::abs(difference.value) > normal95 * difference.standardError;
 }
 
-MapChange changeOf(const FrictionMap& before, const FrictionMap& after, const Quantity& quantity, size_t way) {
+MapChange changeOf(const FrictionMap& before, const FrictionMap& after, const MapQuantity& quantity, size_t way) {
   MapChange change;
   change.quantity = message(quantity.name) + ", " + message(mapUnitsOf(after.axis).ways[way]);
   double sum = 0.0, variance = 0.0;
@@ -122,7 +122,7 @@ std::vector<Estimate> meanDifference(const FrictionMap& before, const FrictionMa
 std::vector<MapChange> compareMaps(const FrictionMap& before, const FrictionMap& after) {
   std::vector<MapChange> changes;
   if (before.axis != after.axis || before.bins.empty() || after.bins.empty()) return changes;
-  for (const Quantity& quantity : quantities)
+  for (const MapQuantity& quantity : quantities)
     for (size_t way = 0; way < 2; ++way) changes.push_back(changeOf(before, after, quantity, way));
   return changes;
 }

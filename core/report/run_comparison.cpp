@@ -12,6 +12,7 @@
 #include "draw/html_report.h"
 #include "draw/svg_polar.h"
 #include "friction/map_export.h"
+#include "recording/block_file.h"
 #include "report/map_figures.h"
 
 namespace breakaway {
@@ -71,6 +72,23 @@ Result<std::optional<FrictionMap>> mapOf(const Project& project, const ProjectRu
   return std::optional<FrictionMap>(std::move(*map));
 }
 
+/// What a run is about that is a recording, and nothing else.
+bool isRecording(const ProjectRun& run) {
+  return run.kind == "recording" && run.state != RunState::recording && run.file("recording") != nullptr;
+}
+
+Result<std::optional<RecordingComparison>> recordingsOf(const Project& project, const RunComparison& comparison) {
+  if (!isRecording(comparison.before) || !isRecording(comparison.after)) return std::optional<RecordingComparison>();
+  const auto read = [&project](const ProjectRun& run) {
+    return readRecording(project.pathOf(run, run.file("recording")->path));
+  };
+  const auto before = read(comparison.before), after = read(comparison.after);
+  if (!before) return before.error();
+  if (!after) return after.error();
+  auto compared = compareRecordings(*before, *after);
+  return compared.channels.empty() ? std::optional<RecordingComparison>() : std::optional(std::move(compared));
+}
+
 std::string placeText(double place, Axis axis) {
   const MapUnits& units = mapUnitsOf(axis);
   return axis == Axis::rotary ? numberText(units.placeScale * place, 3) + "°" : numberText(1e3 * place, 3) + " mm";
@@ -117,6 +135,15 @@ Words wordsOf(const RunComparison& comparison) {
   Words words{nameOf(comparison.before) + " → " + nameOf(comparison.after) + "\n", {}, {}};
   if (comparison.before.motor != comparison.after.motor)
     words.changed = message("Of two motors: {} and {}.", motorOf(comparison.before), motorOf(comparison.after)) + "\n";
+  if (comparison.recordings) {
+    words.within =
+        message("The recordings, over the {:.4g} s that both last, laid over each other from their beginnings:",
+                comparison.recordings->length_s) +
+        "\n";
+    for (const ChannelChange& one : comparison.recordings->channels)
+      words.within = words.within + indented(sentenceOf(one));
+    return words;
+  }
   words.changed = words.changed + (beyond.empty() ? message("Nothing has changed beyond the 95 % intervals.") + "\n"
                                                   : message("Changed beyond the 95 % intervals:") + "\n" + beyond);
   if (!within.empty()) words.within = message("Within them:") + "\n" + within;
@@ -127,7 +154,7 @@ Words wordsOf(const RunComparison& comparison) {
 
 Result<RunComparison> compareRuns(const Project& project, const ProjectRun& one, const ProjectRun& other) {
   const bool inOrder = one.at <= other.at;
-  RunComparison comparison{inOrder ? one : other, inOrder ? other : one, {}, {}, {}, {}, {}, {}};
+  RunComparison comparison{inOrder ? one : other, inOrder ? other : one, {}, {}, {}, {}, {}, {}, {}};
   if (one.id == other.id) return Error{project.folder(), "run " + one.id + " is compared with itself, expected two"};
   for (const RunValue& before : comparison.before.values) {
     if (const RunValue* after = comparison.after.value(before.name); after != nullptr)
@@ -143,8 +170,11 @@ Result<RunComparison> compareRuns(const Project& project, const ProjectRun& one,
   }
   comparison.findingsGone = without(comparison.before.findings, comparison.after.findings);
   comparison.findingsNew = without(comparison.after.findings, comparison.before.findings);
+  auto recordings = recordingsOf(project, comparison);
+  if (!recordings) return recordings.error();
+  comparison.recordings = std::move(*recordings);
   const bool bothDiagnoses = !comparison.before.verdict.empty() && !comparison.after.verdict.empty();
-  if (comparison.values.empty() && comparison.maps.empty() && !bothDiagnoses)
+  if (comparison.values.empty() && comparison.maps.empty() && !bothDiagnoses && !comparison.recordings)
     return Error{project.folder(), "runs " + one.id + " and " + other.id + " have no result in common"};
   return comparison;
 }
@@ -186,6 +216,16 @@ std::string comparisonJson(const RunComparison& comparison) {
                            {"beyond_intervals", one.isBeyond()}});
   json["findings_new"] = comparison.findingsNew;
   json["findings_gone"] = comparison.findingsGone;
+  if (comparison.recordings) {
+    json["recordings"] = {{"length_s", comparison.recordings->length_s}, {"channels", Json::array()}};
+    for (const ChannelChange& one : comparison.recordings->channels)
+      json["recordings"]["channels"].push_back({{"channel", one.channel},
+                                                {"mean_before", one.meanBefore},
+                                                {"mean_after", one.meanAfter},
+                                                {"scatter_before", one.rmsBefore},
+                                                {"scatter_after", one.rmsAfter},
+                                                {"difference_rms", one.differenceRms}});
+  }
   json["words"] = inWords(comparison).english();
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -194,7 +234,8 @@ Result<void> writeComparison(const RunComparison& comparison, const std::string&
   if (auto made = makeFolder(folder + "/figures"); !made) return made;
   HtmlReport report(message("What has changed"), nameOf(comparison.before) + " → " + nameOf(comparison.after),
                     language);
-  report.verdict(wordsOf(comparison).changed);
+  const Words words = wordsOf(comparison);
+  report.verdict(comparison.recordings ? words.changed + words.within : words.changed);
   if (comparison.mapBefore && comparison.mapAfter) {
     const Figure ghost = inLanguage(ghostFigure(*comparison.mapBefore, *comparison.mapAfter), language);
     const Figure over = inLanguage(differenceFigure(*comparison.mapBefore, *comparison.mapAfter), language);
@@ -210,6 +251,15 @@ Result<void> writeComparison(const RunComparison& comparison, const std::string&
       for (const MapChange& one : comparison.maps) lines.push_back(sentenceOf(one, comparison.mapAfter->axis));
       return lines;
     }());
+  }
+  if (comparison.recordings) {
+    report.heading(message("The recordings"));
+    for (size_t k = 0; k < comparison.recordings->figures.size(); ++k) {
+      const Figure figure = inLanguage(comparison.recordings->figures[k], language);
+      report.figure(figure);
+      const std::string path = folder + "/figures/" + comparison.recordings->channels[k].channel + ".svg";
+      if (auto done = writeSvg(figure, path); !done) return done;
+    }
   }
   if (!comparison.values.empty()) {
     std::vector<std::vector<Saying>> rows;

@@ -11,6 +11,7 @@
 #include "draw/svg_plot.h"
 #include "friction/friction_map.h"
 #include "project/project.h"
+#include "report/recording_comparison.h"
 
 namespace breakaway {
 
@@ -40,10 +41,11 @@ struct RunComparison {
   std::vector<MapChange> maps;  ///< empty unless both have a map, of the same kind of axis
   std::optional<FrictionMap> mapBefore, mapAfter;
   std::vector<std::string> findingsGone, findingsNew;  ///< of diagnoses
+  std::optional<RecordingComparison> recordings;       ///< of two runs that each are a recording
 };
 
-/// The older run first, whatever the order it was asked in. Errors: a map can't be read; the runs have nothing in
-/// common.
+/// The older run first, whatever the order it was asked in. Errors: a map or a recording can't be read; the runs have
+/// nothing in common.
 Result<RunComparison> compareRuns(const Project& project, const ProjectRun& one, const ProjectRun& other);
 
 /// Bin by bin, each of `after`'s beside the one of `before` that its centre lies in.

@@ -21,6 +21,7 @@ struct BoardHardware {
   bool simulated = false, hasIndex = true, hasTemperature = false;
   const char* device = "";  ///< outlives the board
   const char* firmware = "";
+  const char* serialNumber = "";  ///< empty: nobody knows it
 
   Scalar loopRate_Hz = 0;
   std::uint32_t countsPerRev = 0;

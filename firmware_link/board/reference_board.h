@@ -174,6 +174,8 @@ class ReferenceBoard {
         newest_ = frame.sequence;
         out(hello());
         return Code::ok;
+      case Type::serialNumber:
+        return tellSerialNumber(out);
       case Type::stop:
         // One that comes twice is one; whoever sent it knows the latch that it led to.
         if (frame.sequence != stop_ || control_.acts()) halt();
@@ -269,6 +271,7 @@ class ReferenceBoard {
     can(true, Ability::staticFriction);
     can(true, Ability::bridgeCurve);
     can(true, Ability::legs);
+    can(hardware_.serialNumber[0] != '\0', Ability::serialNumber);
     hello.boot = hardware_.boot;
     hello.latch = latch_;
     hello.loopRate_Hz = static_cast<float>(hardware_.loopRate_Hz);
@@ -285,6 +288,14 @@ class ReferenceBoard {
   template <std::size_t size>
   static void copyText(const char* text, char (&room)[size]) {
     for (std::size_t k = 0; k < size && text[k] != '\0'; ++k) room[k] = text[k];
+  }
+
+  wire::Code tellSerialNumber(wire::Writer& out) const {
+    if (hardware_.serialNumber[0] == '\0') return wire::Code::noSuch;
+    wire::SerialNumber serial;
+    copyText(hardware_.serialNumber, serial.text);
+    out(serial);
+    return wire::Code::ok;
   }
 
   wire::Alive alive() const {

@@ -100,7 +100,9 @@ Result<std::unique_ptr<Drive>> openByUri(const BoardRequest& request) {
 
 Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request) {
   auto drive = openByUri(request);
-  if (drive) noteDevice(MadeOn{(*drive)->identity().device, {}, (*drive)->identity().firmware});
+  if (!drive) return drive;
+  const Identity& board = (*drive)->identity();
+  noteDevice(MadeOn{board.device, board.serialNumber, board.firmware});
   return drive;
 }
 

@@ -312,6 +312,13 @@ std::string deviceName(const VescVersion& version) {
                      version.identity[2], version.identity[3]);
 }
 
+/// Its processor's, in hexadecimal; empty where it says none.
+std::string serialNumberOf(const VescVersion& version) {
+  std::string text;
+  for (const std::uint8_t byte : version.identity) text += fmt::format("{:02x}", byte);
+  return text.find_first_not_of('0') == std::string::npos ? std::string() : text;
+}
+
 std::string firmwareName(const VescVersion& version) {
   return fmt::format("VESC {}.{:02}", version.major, version.minor);
 }
@@ -334,6 +341,7 @@ Result<std::unique_ptr<Drive>> openVesc(std::unique_ptr<ByteStream>& stream, con
   Identity identity;
   identity.device = asUtf8(deviceName(*version));
   identity.firmware = asUtf8(firmwareName(*version));
+  identity.serialNumber = serialNumberOf(*version);
   if (!options.polePairs) {
     return Error{identity.device, message("tells electrical speed only, so the motor's pole pairs are needed: "
                                           "?pole_pairs=N behind the address, or motor.pole_pairs in the bench file")};

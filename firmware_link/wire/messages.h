@@ -35,6 +35,7 @@ enum class Type : std::uint8_t {
   readBridge = 0x13,       ///< nothing → BridgeCurve
   useStatic = 0x14,        ///< StaticFrictionUse → the same; as useFriction, with static friction
   staticUsed = 0x15,       ///< nothing → StaticFrictionUse, of the table that is used
+  serialNumber = 0x16,     ///< nothing → SerialNumber
   telemetry = 0xC0,        ///< BatchHeader, then the samples
   faultHappened = 0xC1     ///< Fault
 };
@@ -65,7 +66,8 @@ struct Hello {
     legs = 32,  ///< runs them by itself; see leg_messages.h
     temperature = 64,
     staticFriction = 128,
-    bridgeCurve = 256
+    bridgeCurve = 256,
+    serialNumber = 512  ///< can be asked for it
   };
   std::uint16_t abilities = 0;
   std::uint16_t boot = 0;   ///< another number after each powering up
@@ -83,6 +85,17 @@ struct Hello {
   static void pass(Self& s, Io& io) {
     io(s.abilities), io(s.boot), io(s.latch), io(s.loopRate_Hz), io(s.supply_V), io(s.countsPerRev), io(s.entries);
     io(s.dictionaryHash), io(s.frictionBins), io(s.device), io(s.firmware);
+  }
+};
+
+/// Which one of its model the board is, by whatever it is known by: of its processor, of its maker.
+struct SerialNumber {
+  static constexpr std::size_t length = 40;
+  char text[length] = {};  ///< UTF-8, filled up with zeros
+
+  template <typename Self, typename Io>
+  static void pass(Self& s, Io& io) {
+    io(s.text);
   }
 };
 

@@ -276,6 +276,30 @@
         <source>Within them</source>
         <translation>Innerhalb der Intervalle</translation>
     </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Difference (RMS)</source>
+        <translation>Unterschied (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Laid over each other from their beginnings</source>
+        <translation>Von ihrem Beginn an übereinandergelegt</translation>
+    </message>
+    <message>
+        <source>Over the %1 s that both last; the report has pictures.</source>
+        <translation>Über die %1 s, die beide dauern; der Bericht hat Bilder.</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>
@@ -1577,6 +1601,34 @@
         <source>Diagnose finds what the bench file leaves out</source>
         <translation>Die Diagnose findet, was die Prüfstandsdatei auslässt</translation>
     </message>
+    <message>
+        <source>Beneath</source>
+        <translation>Darunter</translation>
+    </message>
+    <message>
+        <source>Another recording that is drawn dashed beneath this one, from their beginnings; Runs lays a kept one there</source>
+        <translation>Eine andere Aufnahme, die gestrichelt unter diese gezeichnet wird, von ihrem Beginn an; Läufe legt eine aufbewahrte dorthin</translation>
+    </message>
+    <message>
+        <source>Takes away what lies beneath</source>
+        <translation>Nimmt weg, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>Take away what lies beneath</source>
+        <translation>Wegnehmen, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>Lay a recording beneath</source>
+        <translation>Eine Aufnahme darunter legen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.blocks)</source>
+        <translation>Aufnahmen (*.csv *.blocks)</translation>
+    </message>
+    <message>
+        <source>No recording lies beneath</source>
+        <translation>Keine Aufnahme liegt darunter</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::ComparedPlots</name>
@@ -1678,6 +1730,10 @@
     <message>
         <source>%1 lies beside the recording and was opened with it</source>
         <translation>%1 liegt neben der Aufzeichnung und wurde mit ihr geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 holds no position to lay beneath</source>
+        <translation>%1 enthält keine Position, die darunter gelegt werden könnte</translation>
     </message>
 </context>
 <context>
@@ -4268,6 +4324,10 @@
         <source>Open or drop a recording and its bench file, or press Example</source>
         <translation>Aufzeichnung und Prüfstandsdatei öffnen oder herziehen, oder „Beispiel“</translation>
     </message>
+    <message>
+        <source>measured; dashed: %1</source>
+        <translation>gemessen; gestrichelt: %1</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::RotorDial</name>
@@ -4493,10 +4553,6 @@
         <translation>Legt die Karte unter die auf der Seite Reibung, mit einem Ring ihrer Unterschiede</translation>
     </message>
     <message>
-        <source>The run has no friction map</source>
-        <translation>Der Lauf hat keine Reibungskarte</translation>
-    </message>
-    <message>
         <source>Opens the run&apos;s report in the browser</source>
         <translation>Öffnet den Bericht des Laufs im Browser</translation>
     </message>
@@ -4531,6 +4587,14 @@
     <message>
         <source>Folder: %1</source>
         <translation>Ordner: %1</translation>
+    </message>
+    <message>
+        <source>Draws the recording dashed beneath the one on the Compare page</source>
+        <translation>Zeichnet die Aufnahme gestrichelt unter die auf der Seite Vergleichen</translation>
+    </message>
+    <message>
+        <source>The run has neither a friction map nor a recording</source>
+        <translation>Der Lauf hat weder Reibungskarte noch Aufnahme</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "experiment/drive.h"
 
@@ -23,8 +24,10 @@ struct DriveWitness {
 
 class SmallDrive : public Drive {
  public:
-  explicit SmallDrive(std::shared_ptr<DriveWitness> witness) : witness_(std::move(witness)) {
+  explicit SmallDrive(std::shared_ptr<DriveWitness> witness, const std::string& serialNumber = {})
+      : witness_(std::move(witness)) {
     identity_ = {"small drive", "test 1.0", true, 1000.0, 4096.0, 24.0, true};
+    identity_.serialNumber = serialNumber;
     settings_ = {0.02, 0.2, 0.0, 0.5, 0.0, 0.01, 200.0, 1e-4, 0.1, 4.0, 300.0};
   }
 

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "app/cut_drive.h"
 #include "app/desk.h"
@@ -32,7 +33,7 @@ class TestKept : public QObject {
   void doubleClick_doesNotPressWhatTheButtonHasBecome();
   void windowClosedWhileRecording_leavesTheRecording();
   void closing_asksOnlyWhileTheMotorTurns();
-  void finishedMap_isInTheProject();
+  void finishedMap_isInTheProject_andBackAfterAnotherBoard();
   void resultWithoutATemporaryFolder_isKept();
   void sizeOfTheWindow_isKept();
   void settingsOfSweepsAndPlots_areKept();
@@ -304,7 +305,7 @@ void TestKept::closing_asksOnlyWhileTheMotorTurns() {
   QVERIFY2(still.window.close(), "a motor that stands is no question");
 }
 
-void TestKept::finishedMap_isInTheProject() {
+void TestKept::finishedMap_isInTheProject_andBackAfterAnotherBoard() {
   const QTemporaryDir place;
   const QString project = place.filePath("p");
   Desk desk;
@@ -319,6 +320,20 @@ void TestKept::finishedMap_isInTheProject() {
   QVERIFY(run.value("static_average_Nm") != nullptr && run.value("coulomb_average_Nm") != nullptr);
   QVERIFY(run.file("map") != nullptr && run.file("report") != nullptr && run.file("bench") != nullptr);
   QVERIFY2(run.device.find("servo") != std::string::npos, run.device.c_str());
+
+  const auto& known = desk.session.bench.known();
+  const std::vector<BreakawayEvent> measured = known.breakaways;
+  desk.session.connection.open("simulated:uneven");
+  QTRY_VERIFY_WITH_TIMEOUT(desk.session.connection.connected(), 10000);
+  QVERIFY(!known.knows(Known::map) && known.breakaways.empty());
+  const auto& lines = desk.session.messages.lines();
+  QVERIFY(std::any_of(lines.begin(), lines.end(),
+                      [](const Messages::Line& one) { return one.text.startsWith("This is another board"); }));
+  QCOMPARE(runsIn(project).size(), size_t{1});
+  desk.session.connection.open("simulated:servo");
+  QTRY_VERIFY_WITH_TIMEOUT(desk.session.connection.connected(), 10000);
+  QVERIFY(known.knows(Known::map) && known.breakaways.size() == measured.size());
+  QCOMPARE(known.breakaways.back().torque_Nm, measured.back().torque_Nm);
 }
 
 void TestKept::resultWithoutATemporaryFolder_isKept() {

@@ -1,13 +1,22 @@
-// A recording's picture of any stretch: few points, and no extreme lost.
+// A recording's picture of any stretch: few points, no extreme lost, and soon drawn; and what is drawn again and again
+// rests while nothing is new.
+#include <qcustomplot.h>
+
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "session/comparison.h"
 #include "session/overview.h"
+#include "support/processor_time.h"
+#include "support/sanitized.h"
+#include "widgets/residual_plots.h"
+#include "widgets/while_shown.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 class TestOverview : public QObject {
   Q_OBJECT
@@ -16,6 +25,8 @@ class TestOverview : public QObject {
   void shortStretch_hasItsRows();
   void missingValues_areNoExtremes();
   void channelThatIsNotThere_isEmpty();
+  void noisyRecording_isDrawnAtOnce();
+  void nothingNew_isLookedForSeldom();
 };
 
 namespace {
@@ -82,5 +93,51 @@ void TestOverview::channelThatIsNotThere_isEmpty() {
   QVERIFY(overview.between(0.0, 100.0, 800).empty());
 }
 
-QTEST_APPLESS_MAIN(TestOverview)
+/// The picture is as many up and down strokes as are seen apart: of a thick line, each crosses all others.
+void TestOverview::noisyRecording_isDrawnAtOnce() {
+  Messages messages;
+  Comparison comparison(messages);
+  ResidualPlots plots(comparison);
+  plots.resize(1400, 500);
+  plots.show();
+  std::vector<double> values;
+  comparison.takeRecording(noisy(values));
+  auto* plot = plots.findChild<QCustomPlot*>("residualPlot");
+  QTRY_VERIFY_WITH_TIMEOUT(plot->graph(0)->dataCount() > 800, 20000);
+  double least_s = 1.0;  // of three, for processor time has pauses of the machine in it, too
+  for (int k = 0; k < 3; ++k) {
+    const ProcessorTime time(ProcessorTime::Of::thread);
+    plot->replot();
+    least_s = std::min(least_s, time.elapsed_s());
+  }
+  if (!sanitized) QVERIFY2(least_s < 0.05, qPrintable(QString::number(least_s)));
+}
+
+void TestOverview::nothingNew_isLookedForSeldom() {
+  using namespace std::chrono_literals;
+  QWidget widget;
+  int looked = 0;
+  bool isNew = true;
+  new WhileShown(&widget, 10ms, [&] {
+    ++looked;
+    return isNew;
+  });
+  widget.show();
+  QTRY_VERIFY_WITH_TIMEOUT(looked > 40, 20000);
+  isNew = false;
+  QTest::qWait(600);  // until it rests
+  const int before = looked;
+  QTest::qWait(1000);
+  QVERIFY2(looked - before <= 5, qPrintable(QString::number(looked - before)));
+  QTRY_VERIFY_WITH_TIMEOUT(looked > before, 5000);
+  isNew = true;
+  const int again = looked;
+  QTRY_VERIFY_WITH_TIMEOUT(looked > again + 20, 20000);
+  widget.hide();
+  const int hidden = looked;
+  QTest::qWait(50);
+  QCOMPARE(looked, hidden);
+}
+
+QTEST_MAIN(TestOverview)
 #include "tst_overview.moc"

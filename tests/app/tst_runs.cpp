@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QTableView>
 #include <QTextBrowser>
+#include <QToolButton>
 
 #include "app/desk.h"
 #include "app/rendered_tree.h"
@@ -33,6 +34,8 @@ class TestRuns : public QObject {
   void nameAndRemark_areWrittenInPlaceAndKept();
   void runOfAnotherProgram_comesWithTheNextLook();
   void recording_isOpenedOnCompareAndSavedAsCsv();
+  void recording_liesBeneathTheOneOnCompare();
+  void twoRecordings_areComparedByChannel();
   void twoMaps_areComparedInWordsAndAsReport();
   void map_isOpenedOnFriction();
   void earlierMap_liesBeneathWithTheRingOfDifferences();
@@ -197,6 +200,55 @@ void TestRuns::recording_isOpenedOnCompareAndSavedAsCsv() {
   QTRY_VERIFY(archive.desk.session.comparison.recording().has_value());
   QVERIFY(named<QWidget>(archive.desk.window, "comparePage")->isVisible());
   QCOMPARE(archive.desk.session.comparison.recording()->rows(), size_t{400});
+}
+
+void TestRuns::recording_liesBeneathTheOneOnCompare() {
+  Archive archive;
+  QTRY_COMPARE(archive.rows(), 3);
+  // What is shown begins later and elsewhere.
+  const Recording kept = Archive::someRecording();
+  std::vector<double> time(kept.time().begin(), kept.time().end());
+  std::vector<double> angle(kept.channel("angle_rad").begin(), kept.channel("angle_rad").end());
+  for (double& one : time) one += 7.0;
+  for (double& one : angle) one += 2.0;
+  archive.desk.session.comparison.takeRecording(
+      Recording::seal("shown", {{"time_s", time}, {"angle_rad", angle}}).value());
+  archive.table()->selectRow(1);
+  auto* button = named<QPushButton>(archive.desk.window, "layMapBeneathButton");
+  QTRY_VERIFY(button->isEnabled());
+  press(archive.desk.window, "layMapBeneathButton");
+  QTRY_VERIFY(archive.desk.session.comparison.beneath().has_value());
+  QVERIFY(named<QWidget>(archive.desk.window, "comparePage")->isVisible());
+  auto* plot = named<QCustomPlot>(archive.desk.window, "residualPlot");
+  QTRY_VERIFY(plot->graph(0)->dataCount() > 0 && plot->graph(4)->dataCount() > 0);
+  QCOMPARE(archive.desk.session.comparison.beneath()->name, archive.cell(1, atColumn));
+  const auto first = plot->graph(4)->data()->constBegin(), shown = plot->graph(0)->data()->constBegin();
+  QVERIFY(std::abs(first->key - 7.0) < 1e-9 && std::abs(first->value - shown->value) < 1e-9);
+  QVERIFY(named<QToolButton>(archive.desk.window, "takeBeneathAwayButton")->isEnabled());
+  named<QToolButton>(archive.desk.window, "takeBeneathAwayButton")->click();
+  QVERIFY(!archive.desk.session.comparison.beneath() && plot->graph(4)->dataCount() == 0);
+}
+
+void TestRuns::twoRecordings_areComparedByChannel() {
+  Archive archive;
+  {
+    auto project = Project::open(archive.folder());
+    VERIFY_OK(project);
+    NewRun again;
+    again.at = "2026-05-03T12:00:00Z";
+    again.write = [](const std::string& into) { return writeCsv(Archive::someRecording(), into + "/r.csv"); };
+    VERIFY_OK(project->add(again));
+  }
+  archive.desk.session.runs.refresh();
+  QTRY_COMPARE(archive.rows(), 4);
+  archive.table()->selectRow(1);
+  archive.table()->selectionModel()->select(archive.table()->model()->index(2, 0),
+                                            QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  press(archive.desk.window, "compareRunsButton");
+  auto* words = named<QTextBrowser>(archive.desk.window, "runComparisonWords");
+  QTRY_VERIFY(words->isVisible());
+  const QString said = words->toPlainText();
+  QVERIFY2(said.contains("Laid over each other from their beginnings") && said.contains("(rad)"), qPrintable(said));
 }
 
 void TestRuns::twoMaps_areComparedInWordsAndAsReport() {

@@ -41,6 +41,7 @@ class TestSession : public QObject {
   void runs_sayWhyTheyCannotStart();
   void measuredSteps_areKeptUntilAnotherBoardComes();
   void surveyOfAnotherBoard_waitsForIt();
+  void anotherBoardOfTheModel_isToldByItsSerialNumber();
   void bridgesCurve_isGivenToTheBoard_andARefusalSaid();
   void page_worksWithItsPartsAlone();
 };
@@ -381,6 +382,34 @@ void TestSession::surveyOfAnotherBoard_waitsForIt() {
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
   QCOMPARE(bench.known().runs.size(), size_t{3});
   QVERIFY(bench.known().knows(Known::motor));
+}
+
+void TestSession::anotherBoardOfTheModel_isToldByItsSerialNumber() {
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  const auto meet = [&parts](const char* serial) {
+    parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness, serial), "small");
+  };
+  const auto measure = [&](size_t runs) {
+    Commission known;
+    known.identity = parts.connection.identity();
+    known.settings = parts.connection.settings();
+    known.runs.resize(runs);
+    RunSnapshot swept{RunKind::velocitySweep, {Procedure::State::running, 0.5, 1.0, "sweeping", ""}, {}};
+    swept.result = std::make_shared<const Commission>(known);
+    emit parts.connection.runReported(swept);
+  };
+  meet("0042");
+  measure(3);
+  meet("0043");
+  QVERIFY(bench.known().runs.empty());
+  QVERIFY(parts.lines().contains(
+      "This is another board: what was measured on small drive (0042) is kept until it comes back"));
+  measure(5);
+  meet("0042");
+  QCOMPARE(bench.known().runs.size(), size_t{3});
+  meet("");  // a firmware from before it told: nothing says that it is another board
+  QCOMPARE(bench.known().runs.size(), size_t{3});
 }
 
 void TestSession::bridgesCurve_isGivenToTheBoard_andARefusalSaid() {

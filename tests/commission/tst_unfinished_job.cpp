@@ -16,6 +16,7 @@ class TestUnfinishedJob : public QObject {
   Q_OBJECT
  private slots:
   void whatIsKept_isFoundAgain();
+  void anotherBoardOfTheModel_findsNone();
   void whatGrows_staysInItsFolder();
   void otherSweeps_replaceWhatWasThere();
   void whatIsHeld_isNotFound();
@@ -54,13 +55,32 @@ std::vector<std::string> jobsIn(const std::string& place) {
 void TestUnfinishedJob::whatIsKept_isFoundAgain() {
   const test::TemporaryFolder folder;
   const std::string place = folder.path("unfinished");
-  QVERIFY(!UnfinishedJob::find(place, "board"));
+  QVERIFY(!UnfinishedJob::find(place, {"board"}));
   VERIFY_OK(UnfinishedJob(place).keep(swept(7)));
-  QVERIFY(!UnfinishedJob::find(place, "another board"));
-  const auto found = UnfinishedJob::find(place, "board");
+  QVERIFY(!UnfinishedJob::find(place, {"another board"}));
+  const auto found = UnfinishedJob::find(place, {"board"});
   QVERIFY(found && found->known().breakaways.size() == 7);
   QVERIFY(found->known().sweeps == swept(7).sweeps);
   QVERIFY(std::abs(found->since_s() - static_cast<double>(QDateTime::currentSecsSinceEpoch())) < 60.0);
+}
+
+void TestUnfinishedJob::anotherBoardOfTheModel_findsNone() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  Commission known = swept(7);
+  known.identity.serialNumber = "0042";
+  VERIFY_OK(UnfinishedJob(place).keep(known));
+  const auto boardOf = [](const char* serial) {
+    Identity board;
+    board.device = "board";
+    board.serialNumber = serial;
+    return board;
+  };
+  QVERIFY(!UnfinishedJob::find(place, boardOf("0043")));
+  QVERIFY(UnfinishedJob::find(place, boardOf("0042")));
+  const auto found = UnfinishedJob::find(place, boardOf(""));  // one that says none may be it
+  QVERIFY(found);
+  QCOMPARE(found->known().identity.serialNumber, std::string("0042"));
 }
 
 void TestUnfinishedJob::whatGrows_staysInItsFolder() {
@@ -84,7 +104,7 @@ void TestUnfinishedJob::otherSweeps_replaceWhatWasThere() {
     QCOMPARE(jobsIn(place).size(), size_t{1});
     QVERIFY(jobsIn(place) != before);
   }
-  const auto found = UnfinishedJob::find(place, "board");
+  const auto found = UnfinishedJob::find(place, {"board"});
   QVERIFY(found && found->known().breakaways.size() == 4 && found->known().sweeps.bins == 18);
 }
 
@@ -93,10 +113,10 @@ void TestUnfinishedJob::whatIsHeld_isNotFound() {
   const std::string place = folder.path("unfinished");
   auto first = std::make_unique<UnfinishedJob>(place);
   VERIFY_OK(first->keep(swept(3)));
-  QVERIFY(!UnfinishedJob::find(place, "board"));
+  QVERIFY(!UnfinishedJob::find(place, {"board"}));
   first.reset();
-  const auto taken = UnfinishedJob::find(place, "board");
-  QVERIFY(taken && !UnfinishedJob::find(place, "board"));
+  const auto taken = UnfinishedJob::find(place, {"board"});
+  QVERIFY(taken && !UnfinishedJob::find(place, {"board"}));
 }
 
 void TestUnfinishedJob::damagedOne_isPassedOver() {
@@ -105,7 +125,7 @@ void TestUnfinishedJob::damagedOne_isPassedOver() {
   VERIFY_OK(UnfinishedJob(place).keep(swept(3)));
   const std::string damaged = jobsIn(place)[0];
   std::filesystem::resize_file(damaged + "/progress/breakaways.json", 20);
-  QVERIFY(!UnfinishedJob::find(place, "board"));
+  QVERIFY(!UnfinishedJob::find(place, {"board"}));
   QVERIFY(std::filesystem::exists(damaged));  // a person may still want it
 }
 
@@ -145,7 +165,7 @@ void TestUnfinishedJob::brokenOffSpeed_growsInItsFolder() {
       QCOMPARE(kept[0].known->runs[0].duration_s, duration_s);
     }
   }
-  const auto found = UnfinishedJob::find(place, "board");
+  const auto found = UnfinishedJob::find(place, {"board"});
   QVERIFY(found && found->known().runs.size() == 1 && !found->known().runs[0].brokenOff);
 }
 

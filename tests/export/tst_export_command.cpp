@@ -3,6 +3,8 @@
 #include <QTest>
 
 #include "export/exported_models.h"
+#include "friction/map_export.h"
+#include "support/noisy_map.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -58,6 +60,12 @@ void TestExportCommand::command_writesSaysAndRefuses() {
   QCOMPARE(exported("--model m.json --as c --name left --out left.h").status, 0);
   QVERIFY(content("left.h").contains("left_state left_start("));
 
+  QVERIFY(exportMap(noisyMap(0.02, 1), "json", folder.path("map.json")).ok());
+  QCOMPARE(exported("--map map.json --as c-header --name left --out left_map.h").status, 0);
+  QVERIFY(content("left_map.h").contains("#define LEFT_MAP_BINS "));
+  QCOMPARE(exported("--map map.json --as modelica --name Left --out Left.mo").status, 0);
+  QVERIFY(content("Left.mo").contains("\npackage Left\n"));
+
   const auto refused = [&](const QString& words, const QString& line) {
     const Outcome outcome = exported(words + " --out none");
     const QByteArray about = (words + ": " + outcome.err).toUtf8();
@@ -81,6 +89,9 @@ void TestExportCommand::command_writesSaysAndRefuses() {
   refused("--model duty.json --as mjcf", "duty.json, field supply_V: is missing");
   refused("--model nowhere.json --as sdf", "nowhere.json: cannot be read");
   refused("--model m.json --as c --name 3rd", "--name: is \"3rd\"");
+  refused("--map map.json --as c-header --name 3rd", "--name: is \"3rd\"");
+  refused("--map map.json --as modelica --name model", "--name: is \"model\", which the language keeps");
+  refused("--map map.json --as csv --name left", "--name: goes with c-header and modelica only");
   refused("--as c", "--map");
 }
 

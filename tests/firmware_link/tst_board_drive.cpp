@@ -17,6 +17,7 @@ class TestBoardDrive : public QObject {
  private slots:
   void initTestCase();
   void identityAndSettings_comeOverTheWire();
+  void serialNumber_isToldByABoardThatHasOne();
   void configure_givesWhatTheBoardAccepted();
   void advance_givesEveryTickOnceAsTheBoardInProcess();
   void stop_opensTheWindingsAndStays();
@@ -70,6 +71,20 @@ void TestBoardDrive::identityAndSettings_comeOverTheWire() {
   QVERIFY(std::abs(told.velocity_kp_A_s_per_rad / own.velocity_kp_A_s_per_rad - 1.0) < 1e-6);
   QVERIFY(std::abs(told.nominal_inertia_kg_m2 / own.nominal_inertia_kg_m2 - 1.0) < 1e-6);
   QVERIFY(std::abs(told.current_limit_A / own.current_limit_A - 1.0) < 1e-6);
+}
+
+void TestBoardDrive::serialNumber_isToldByABoardThatHasOne() {
+  const auto none = opened();
+  QCOMPARE(none.drive->identity().serialNumber, std::string());
+  const std::string longest(wire::SerialNumber::length, '7');
+  for (const std::string& serial : {std::string("0042"), longest}) {
+    const auto far = std::make_shared<FirmwareStream::Far>(presetRig("servo"), 1, serial);
+    const auto drive = openBoardDrive(std::make_unique<FirmwareStream>(far), {});
+    VERIFY_OK(drive);
+    QCOMPARE((*drive)->identity().serialNumber, serial);
+    QCOMPARE((*drive)->identity().device, none.drive->identity().device);
+    QVERIFY(mayBeSame((*drive)->identity(), none.drive->identity()));  // which doesn't say that it is another one
+  }
 }
 
 void TestBoardDrive::configure_givesWhatTheBoardAccepted() {

@@ -96,6 +96,8 @@ void TestVescDrive::identity_saysWhoItIs_andWhatItCannotDo() {
   const Identity& identity = (*board)->identity();
   QCOMPARE(identity.device, std::string("VESC 60_MK5 01020304"));
   QCOMPARE(identity.firmware, std::string("VESC 6.05"));
+  QVERIFY2(identity.serialNumber.starts_with("01020304") && identity.serialNumber.size() == 24,
+           identity.serialNumber.c_str());
   QCOMPARE(identity.supply_V, servo().bridge.supply_V);
   QCOMPARE(identity.countsPerRev, 14400.0);
   QVERIFY(!identity.simulated && !identity.hasIndex);

@@ -17,6 +17,7 @@ class TestSummary : public QObject {
   void init();
   void form_followsTheName();
   void reports_leadFromThePage();
+  void whatStandsOutAndErrors_leadToTheirReports();
   void severalResults_areOneFleet();
   void resultThatStandsThereTwice_countsOnce();
   void maps_areReadFromTheResultsFolder();
@@ -66,6 +67,19 @@ void TestSummary::reports_leadFromThePage() {
   QVERIFY(content("pages/new/f.html").contains("<a href=\"../../results/reports/a%20b/report.html\">a</a>"));
   QCOMPARE(summary("results/r.jsonl --out results/f.html").status, 0);
   QVERIFY(content("results/f.html").contains("<a href=\"reports/a%20b/report.html\">a</a>"));
+}
+
+void TestSummary::whatStandsOutAndErrors_leadToTheirReports() {
+  QJsonObject odd = resultOf("far off", diagnosisOf(0.05, 1e-4));
+  odd["report"] = "reports/far off/report.html";
+  const QJsonObject failed{{"id", "failed"}, {"error", "no bench"}, {"report", "reports/failed.html"}};
+  folder_->write("r.jsonl", fleetWithOne(0.02, 1e-4) + lineOf(odd) + lineOf(failed));
+  QCOMPARE(summary("r.jsonl --out f.html").status, 0);
+  const QString page = content("f.html");
+  const QString stands = page.section("What stands out</h2>", 1).section("<h2", 0, 0);
+  QVERIFY2(stands.contains("<td><a href=\"reports/far%20off/report.html\">far off</a></td>"), qPrintable(stands));
+  const QString errors = page.section("What ended in an error</h2>", 1);
+  QVERIFY2(errors.contains("<td><a href=\"reports/failed.html\">failed</a></td>"), qPrintable(errors));
 }
 
 void TestSummary::severalResults_areOneFleet() {

@@ -14,6 +14,7 @@ class TestMapExport : public QObject {
   void json_isReadBack();
   void csv_hasTheManualsColumns();
   void cHeader_compilesAsC();
+  void cHeaders_ofTwoNames_standInOneProgram();
   void cHeader_tellsTheTorqueBetweenBins();
   void modelica_holdsATableOfEach();
   void mat_holdsTheColumns();
@@ -103,6 +104,25 @@ void TestMapExport::cHeader_compilesAsC() {
   const std::string command = "cc -std=c99 -Wall -Werror -Wno-unused-const-variable -o " + folder.path("use") + " " +
                               folder.path("use.c") + " && " + folder.path("use");
   QCOMPARE(std::system(command.c_str()), 0);
+}
+
+void TestMapExport::cHeaders_ofTwoNames_standInOneProgram() {
+  test::TemporaryFolder folder;
+  FrictionMap right = someMap();
+  for (MapBin& bin : right.bins) bin.way[1].coulomb_Nm.value *= 2.0;
+  right.bins.resize(6);
+  QVERIFY(exportMap(someMap(), "c-header", folder.path("left.h"), "left").ok());
+  QVERIFY(exportMap(right, "c-header", folder.path("right.h"), "right_2").ok());
+  folder.write("use.c",
+               "#include \"left.h\"\n#include \"right.h\"\n"
+               "int main(void) {\n  const float a = left_map_coulomb_ccw_Nm[0], b = right_2_map_coulomb_ccw_Nm[0];\n"
+               "  if (LEFT_MAP_BINS != 12 || RIGHT_2_MAP_BINS != 6) return 1;\n"
+               "  if (right_2_map_moving_Nm(0.1f, 1.0f) <= left_map_moving_Nm(0.1f, 1.0f)) return 2;\n"
+               "  return b > 1.999f * a && b < 2.001f * a ? 0 : 3;\n}\n");
+  const std::string command = "cc -std=c99 -Wall -Werror -Wno-unused-const-variable -o " + folder.path("use") + " " +
+                              folder.path("use.c") + " && " + folder.path("use");
+  QCOMPARE(std::system(command.c_str()), 0);
+  QVERIFY(!QString::fromStdString(*readFile(folder.path("right.h"))).contains("breakaway", Qt::CaseInsensitive));
 }
 
 /// Half way between the first two bins, a turn away, and from the last over to the first.

@@ -27,6 +27,7 @@ static void readAndWrite(std::span<const std::uint8_t> body) {
 static const Fuzzed messages("wire_messages", [](std::string_view bytes) {
   const auto body = bytesOf(bytes);
   readAndWrite<wire::Hello>(body);
+  readAndWrite<wire::SerialNumber>(body);
   readAndWrite<wire::DictionaryPage>(body);
   readAndWrite<wire::ParameterList>(body);
   readAndWrite<wire::MotorCommand>(body);

@@ -4,11 +4,14 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTest>
+#include <algorithm>
 
 #include "house/program.h"
+#include "recording/csv.h"
 #include "support/temporary.h"
 
 using namespace breakaway::test;
+using breakaway::readCsv;
 
 /// The line that a person types: help, version, answers for people and for programs, and what is said of a wrong one.
 class TestCommandLine : public QObject {
@@ -24,6 +27,7 @@ class TestCommandLine : public QObject {
   void json_isOneObjectAndQuietSaysNothing();
   void lastLine_saysWhereTheResultIs();
   void dash_isStandardInput();
+  void import_takesAStretch();
   void twoJobs_giveWhatOneGives();
   void header_holdsOnlyWhatCCanRead();
   void window_withoutDisplay_saysSoInOneLine();
@@ -195,6 +199,24 @@ void TestCommandLine::dash_isStandardInput() {
   QCOMPARE(*breakaway::readFile(folder_.path("piped.csv")), *breakaway::readFile(folder_.path("file.csv")));
   const Outcome imported = breakaway("import - --out i.csv", recording);
   QVERIFY2(imported.status == 0 && imported.out.contains("i.csv: 6000 rows"), qPrintable(imported.err));
+}
+
+void TestCommandLine::import_takesAStretch() {
+  const Outcome part = breakaway("import r.csv --from 2 --to 4 --out part.csv");
+  QVERIFY2(part.status == 0, qPrintable(part.err));
+  const auto whole = readCsv(folder_.path("r.csv")), read = readCsv(folder_.path("part.csv"));
+  VERIFY_OK(whole);
+  VERIFY_OK(read);
+  size_t within = 0;
+  for (const double t_s : whole->time()) within += t_s >= 2.0 && t_s <= 4.0 ? 1 : 0;
+  QVERIFY(within > 100);
+  QCOMPARE(read->rows(), within);
+  QVERIFY(read->time().front() >= 2.0 && read->time().back() <= 4.0);
+  const auto& notes = read->notes();
+  QVERIFY(std::any_of(notes.begin(), notes.end(), [](const auto& one) { return one.first == "cut_from"; }));
+  const Outcome none = breakaway("import r.csv --from 4000 --out none.csv");
+  QVERIFY2(none.status == 2 && none.err.contains("fewer than two rows between 4000 s"), qPrintable(none.err));
+  QVERIFY(!QFile::exists(QString::fromStdString(folder_.path("none.csv"))));
 }
 
 void TestCommandLine::twoJobs_giveWhatOneGives() {

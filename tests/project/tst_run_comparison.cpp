@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
+#include "recording/csv.h"
 #include "report/run_comparison.h"
 #include "support/noisy_map.h"
 #include "support/temporary.h"
@@ -19,6 +20,8 @@ class TestRunComparison : public QObject {
   void placeThatHasChanged_isFound();
   void otherNumberOfBins_isCompared();
   void runsWithNothingInCommon_areAnError();
+  void recordings_areLaidOverEachOtherFromTheirBeginnings();
+  void recordingsWithoutACommonChannel_areAnError();
   void comparison_isWrittenWhole();
   void report_isInTheLanguage();
 };
@@ -105,6 +108,64 @@ void TestRunComparison::runsWithNothingInCommon_areAnError() {
   VERIFY_OK(text);
   QVERIFY(compareRuns(*project, map, *text).error().fact.find("no result in common") != std::string::npos);
   QVERIFY(compareRuns(*project, map, map).error().fact.find("itself") != std::string::npos);
+}
+
+/// The second begins 5 s and two turns later, has every other row, and 0.1 A more.
+void TestRunComparison::recordings_areLaidOverEachOtherFromTheirBeginnings() {
+  const auto recordingOf = [](double begin_s, double begin_rad, double more_A, int every) {
+    std::vector<double> time, angle, current;
+    for (int k = 0; k <= 1000; k += every) {
+      const double since_s = 0.01 * k;
+      time.push_back(begin_s + since_s);
+      angle.push_back(begin_rad + 2.0 * since_s);
+      current.push_back(more_A + (k / 100 % 2 == 0 ? 0.5 : -0.5));
+    }
+    return Recording::seal("r", {{"time_s", time}, {"angle_rad", angle}, {"current_A", current}}).value();
+  };
+  const TemporaryFolder folder;
+  auto project = Project::open(folder.path("p"), Project::Missing::isMade);
+  VERIFY_OK(project);
+  const auto keep = [&project](const Recording& recording, const std::string& at) {
+    NewRun run;
+    run.at = at;
+    run.write = [&recording](const std::string& into) { return writeCsv(recording, into + "/r.csv"); };
+    return project->add(run).value();
+  };
+  const ProjectRun before = keep(recordingOf(0.0, 0.0, 0.0, 1), "2026-01-01T00:00:00Z");
+  const ProjectRun after = keep(recordingOf(5.0, 12.566, 0.1, 2), "2026-02-01T00:00:00Z");
+  QCOMPARE(before.kind, std::string("recording"));
+  const auto comparison = compareRuns(*project, after, before);
+  VERIFY_OK(comparison);
+  QVERIFY(comparison->recordings);
+  const RecordingComparison& recordings = *comparison->recordings;
+  QVERIFY(std::abs(recordings.length_s - 10.0) < 1e-9);
+  QCOMPARE(recordings.channels.size(), size_t{2});
+  QCOMPARE(recordings.channels[0].channel, std::string("angle_rad"));
+  QVERIFY(recordings.channels[0].differenceRms < 1e-9);
+  const ChannelChange& current = recordings.channels[1];
+  QVERIFY(std::abs(current.meanAfter - current.meanBefore - 0.1) < 2e-3);
+  QVERIFY(std::abs(current.rmsBefore - 0.5) < 2e-3 && std::abs(current.differenceRms - 0.1) < 1e-6);
+  const std::string words = inWords(*comparison);
+  QVERIFY2(
+      words.find("current_A: mean ") != std::string::npos && words.find("differ by 0.1 (RMS)") != std::string::npos,
+      words.c_str());
+  QVERIFY2(words.find("intervals") == std::string::npos, words.c_str());
+  VERIFY_OK(writeComparison(*comparison, folder.path("out")));
+  const auto svg = readFile(folder.path("out/figures/current_A.svg"));
+  VERIFY_OK(svg);
+  QVERIFY(svg->find("stroke-dasharray") != std::string::npos);
+  QVERIFY(readFile(folder.path("out/comparison.json"))->find("\"difference_rms\"") != std::string::npos);
+}
+
+void TestRunComparison::recordingsWithoutACommonChannel_areAnError() {
+  const TemporaryFolder folder;
+  auto project = Project::open(folder.path("p"), Project::Missing::isMade);
+  VERIFY_OK(project);
+  const auto turned = project->add({.sources = {folder.write("a.csv", "time_s,angle_rad\n0,0\n1,1\n")}});
+  const auto moved = project->add({.sources = {folder.write("b.csv", "time_s,position_m\n0,0\n1,1\n")}});
+  VERIFY_OK(turned);
+  VERIFY_OK(moved);
+  QVERIFY(compareRuns(*project, *turned, *moved).error().fact.find("no result in common") != std::string::npos);
 }
 
 void TestRunComparison::comparison_isWrittenWhole() {

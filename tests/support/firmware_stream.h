@@ -20,10 +20,10 @@ class FirmwareStream final : public ByteStream {
  public:
   /// What the other end does, shared so that a test can reach it while a drive owns the stream.
   struct Far {
-    explicit Far(Rig simulated, unsigned noise = 1)
+    explicit Far(Rig simulated, unsigned noise = 1, const std::string& serialNumber = {})
         : rig(std::move(simulated)),
           seed(noise),
-          board(std::make_unique<SimulatedFirmware>(rig, seed, board::Pace::granted, boot)) {}
+          board(std::make_unique<SimulatedFirmware>(rig, seed, board::Pace::granted, boot, serialNumber)) {}
     Rig rig;
     unsigned seed;
     std::uint16_t boot = 1000;

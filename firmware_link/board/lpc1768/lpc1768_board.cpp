@@ -14,6 +14,16 @@ namespace {
 
 constexpr auto clocksPerTick = static_cast<std::uint32_t>(tick_s * clock_Hz + 0.5f);
 
+/// The chip's own number in hexadecimal, as its boot ROM tells it; empty where it refuses.
+const char* serialNumber() {
+  static std::array<char, 33> text{};
+  std::array<std::uint32_t, 5> question{rom::readSerialNumber}, answer{};
+  rom::call(question.data(), answer.data());
+  if (answer[0] != 0) return "";
+  for (std::size_t k = 0; k < 32; ++k) text[k] = "0123456789abcdef"[answer[1 + k / 8] >> (28 - 4 * (k % 8)) & 15u];
+  return text.data();
+}
+
 [[noreturn]] void serve() {
   startClock();
   const Uart uart;
@@ -22,6 +32,7 @@ constexpr auto clocksPerTick = static_cast<std::uint32_t>(tick_s * clock_Hz + 0.
   Bridge bridge;
   board::BoardHardware<float> hardware = wiredHardware();
   at(clock::kept0) = at(clock::kept0) + 1;
+  hardware.serialNumber = serialNumber();
   hardware.boot = static_cast<std::uint16_t>(at(clock::kept0));
   // Its constructor sets all of it: this memory isn't cleared at power-up.
   [[gnu::section(".ahb")]] static board::ReferenceBoard<float, 2048, 4096> board(hardware);

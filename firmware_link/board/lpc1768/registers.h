@@ -10,6 +10,16 @@ inline volatile std::uint32_t& at(std::uintptr_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(address);  // NOLINT(performance-no-int-to-ptr): a register
 }
 
+/// Chapter 32, in-application programming: functions of the boot ROM. Five words in, five out, the first of which is 0
+/// where it was done.
+namespace rom {
+inline constexpr std::uint32_t readSerialNumber = 58;
+
+inline void call(std::uint32_t* question, std::uint32_t* answer) {
+  using Entry = void (*)(std::uint32_t*, std::uint32_t*);
+  reinterpret_cast<Entry>(0x1FFF1FF1)(question, answer);  // NOLINT(performance-no-int-to-ptr): its place in the chip
+}
+}  // namespace rom
 /// Chapter 4, clocks and power.
 namespace clocks {
 inline constexpr std::uintptr_t pllControl = 0x400FC080, pllSetting = 0x400FC084, pllState = 0x400FC088,
