@@ -36,6 +36,9 @@ class TestImportMotion : public QObject {
   void currentOfAnotherMakersServo_isKept();
   void inputAndOutputOfAGear_areItsSides();
   void inputBesideAnOutputAlone_isAReference();
+  void inputThatTurnsAMultipleOfItsOutput_isTheMotors_data();
+  void inputThatTurnsAMultipleOfItsOutput_isTheMotors();
+  void whatGoesInBesideWhatComesOut_isAReference();
   void torqueOfSomethingElseThanTheMotor_isKept_data();
   void torqueOfSomethingElseThanTheMotor_isKept();
   void motorsMotionUnderOtherNames_isFound_data();
@@ -305,6 +308,35 @@ void TestImportMotion::inputBesideAnOutputAlone_isAReference() {
   QVERIFY(log.ok());
   QCOMPARE(meaning(*log, "input_speed_rpm"), "velocity_reference_rad_per_s");
   QCOMPARE(meaning(*log, "output_speed_rpm"), "velocity_rad_per_s");
+}
+
+void TestImportMotion::inputThatTurnsAMultipleOfItsOutput_isTheMotors_data() {
+  QTest::addColumn<QString>("input");
+  QTest::addColumn<QString>("output");
+  QTest::newRow("in words") << "input_speed_rpm"
+                            << "output_speed_rpm";
+  QTest::newRow("in and out") << "speed_in_rpm"
+                              << "speed_out_rpm";
+}
+
+void TestImportMotion::inputThatTurnsAMultipleOfItsOutput_isTheMotors() {
+  QFETCH(QString, input);
+  QFETCH(QString, output);
+  const QByteArray in = input.toUtf8(), out = output.toUtf8();
+  const auto log = moving({{out.constData(), 0, 1.9, 0}, {in.constData(), 0, 9.5, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, input.toStdString()), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, output.toStdString()), "");
+}
+
+void TestImportMotion::whatGoesInBesideWhatComesOut_isAReference() {
+  const auto log = moving({{"speed_in_rpm", 0, 9.5, 1}, {"speed_out_rpm", 0, 9.5, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "speed_in_rpm"), "velocity_reference_rad_per_s");
+  QCOMPARE(meaning(*log, "speed_out_rpm"), "velocity_rad_per_s");
+  for (const ColumnFate& fate : log->columns) {
+    if (fate.from == "speed_in_rpm") QVERIFY(fate.guessed);
+  }
 }
 
 void TestImportMotion::torqueOfSomethingElseThanTheMotor_isKept_data() {

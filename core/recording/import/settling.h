@@ -84,6 +84,9 @@ class Settling {
   std::optional<MotionFactor> motionOf(size_t angle, size_t speed);
   /// Beside a speed whose unit is told, counts tell how many of them are one turn.
   bool countsBySpeed(size_t c);
+  /// Beside an angle whose unit is told, a speed in counts per second does.
+  bool countsByAngle(size_t c, size_t angle);
+  void sayCounts(size_t c, size_t beside, double measured);
   /// Beside a speed in counts per second an angle that goes on as fast is in counts.
   bool isCountedAsSpeed(size_t c);
   /// Where neither angle nor speed tells a unit, the factor between them may: 6 is that of degrees and rpm.
