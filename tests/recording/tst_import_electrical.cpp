@@ -17,6 +17,8 @@ class TestImportElectrical : public QObject {
   void numbersOfRows_areNoCurrent();
   void voltageThatStandsStill_isTheSupplys_data();
   void voltageThatStandsStill_isTheSupplys();
+  void fieldsWinding_isNotTheArmatures_data();
+  void fieldsWinding_isNotTheArmatures();
   void registerThatWraps_isReadAsSigned();
   void registerInterpolatedAcrossItsWrap_isRefused();
 
@@ -116,6 +118,28 @@ void TestImportElectrical::voltageThatStandsStill_isTheSupplys() {
   const ColumnFate& fate = imported->columns[2];
   QCOMPARE(QString::fromStdString(fate.to), taken);
   QCOMPARE(fate.guessed, taken == "supply_V" || fate.unit.empty());
+}
+
+void TestImportElectrical::fieldsWinding_isNotTheArmatures_data() {
+  QTest::addColumn<QString>("head");
+  QTest::newRow("letters") << "i_f,i_a,v_f,v_a";
+  QTest::newRow("letters with units") << "i_f_A,i_a_A,v_f_V,v_a_V";
+  QTest::newRow("words") << "field_current_A,armature_current_A,excitation_voltage_V,armature_voltage_V";
+}
+
+void TestImportElectrical::fieldsWinding_isNotTheArmatures() {
+  QFETCH(QString, head);
+  QString text = "time_s,velocity_rad_per_s," + head + "\n";
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,0.8,%3,200,%4\n")
+                .arg(0.01 * k)
+                .arg(speedOf(1, k))
+                .arg(0.1 + 0.01 * speedOf(1, k))
+                .arg(0.2 + 0.05 * speedOf(1, k));
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("current_A")[50] - (0.1 + 0.01 * speedOf(1, 50))) < 1e-4);
+  QVERIFY(std::abs(log->recording.channel("voltage_V")[50] - (0.2 + 0.05 * speedOf(1, 50))) < 1e-4);
 }
 
 static std::string xl330(const std::string& first, const std::string& second, const std::string& third) {

@@ -44,6 +44,8 @@ class TestImportMotion : public QObject {
   void motorsMotionUnderOtherNames_isFound_data();
   void motorsMotionUnderOtherNames_isFound();
   void tachometerOfAVesc_isElectrical();
+  void torqueOfTheJoint_isNotTheMotors();
+  void rawSpeed_yieldsToTheMeasuredOne();
 
  private:
   struct Wave {
@@ -411,6 +413,28 @@ void TestImportMotion::tachometerOfAVesc_isElectrical() {
   QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - 40.0 * std::sin(1.5)) < 0.1);
   QCOMPARE(meaning(*log, "imotor"), "current_A");
   QCOMPARE(meaning(*log, "iin"), "");
+}
+
+void TestImportMotion::torqueOfTheJoint_isNotTheMotors() {
+  const auto both = moving({{"motor_pos(rad)", 1, 0, 0},
+                            {"motor_vel(rad/s)", 0, 1, 0},
+                            {"joint_pos(rad)", 0.02, 0, 0},
+                            {"joint_vel(rad/s)", 0, 0.02, 0},
+                            {"joint_torque(Nm)", 0, 0.3, 0}});
+  QVERIFY(both.ok());
+  QCOMPARE(meaning(*both, "motor_vel(rad/s)"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*both, "joint_torque(Nm)"), "");
+  const auto joint =
+      moving({{"joint_pos(rad)", 1, 0, 0}, {"joint_vel(rad/s)", 0, 1, 0}, {"motor_torque(Nm)", 0, 1, 0}});
+  QVERIFY(joint.ok());
+  QCOMPARE(meaning(*joint, "motor_torque(Nm)"), "torque_Nm");
+}
+
+void TestImportMotion::rawSpeed_yieldsToTheMeasuredOne() {
+  const auto log = moving({{"vel_raw", 0.1, 1, 0}, {"vel_meas", 0, 1, 0}, {"iq_meas", 0, 0.01, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "vel_meas"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "vel_raw"), "");
 }
 
 QTEST_APPLESS_MAIN(TestImportMotion)
