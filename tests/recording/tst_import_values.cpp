@@ -31,6 +31,10 @@ class TestImportValues : public QObject {
   void periodOfALoop_makesTheTime_data();
   void periodOfALoop_makesTheTime();
   void steadyVoltageBesideADirection_isTheSupplys();
+  void steadyVoltageBesideATorqueThatRises_isTheSupplys_data();
+  void steadyVoltageBesideATorqueThatRises_isTheSupplys();
+  void steadyPercents_areNoDutyOfAMotionBothWays();
+  void angleThatStartsAnewAfterTwoPi_tellsTheSpeedsUnit();
 
  private:
   ImportedLogs logs_;
@@ -273,6 +277,46 @@ void TestImportValues::steadyVoltageBesideADirection_isTheSupplys() {
   const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "volt_V"), "supply_V");
+}
+
+void TestImportValues::steadyVoltageBesideATorqueThatRises_isTheSupplys_data() {
+  QTest::addColumn<double>("slope");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("a propeller's, which rises with the speed") << 1.0 << "supply_V";
+  QTest::newRow("a motor's at its voltage, which falls") << -1.0 << "voltage_V";
+}
+
+void TestImportValues::steadyVoltageBesideATorqueThatRises_isTheSupplys() {
+  QFETCH(double, slope);
+  QFETCH(QString, to);
+  QString text = "t_s,torque_nm,voltage_v,rpm\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3,%4\n").arg(0.03 * k).arg(0.5 + slope * 0.001 * k).arg(16.1).arg(100.0 + 5.0 * k);
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage_v"), to.toStdString());
+}
+
+void TestImportValues::steadyPercents_areNoDutyOfAMotionBothWays() {
+  QString text = "time_ms,vel_rad_s,pct\n";
+  for (int k = 0; k < 400; ++k) text += QString("%1,%2,40\n").arg(10 * k).arg(waveSpeed_rad_per_s(k));
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "pct"), "");
+}
+
+void TestImportValues::angleThatStartsAnewAfterTwoPi_tellsTheSpeedsUnit() {
+  QString text = "time_s,theta_enc,speed_enc,iq\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(0.01 * k)
+                .arg(std::fmod(waveAngle_rad(k), 2.0 * M_PI))
+                .arg(waveSpeed_rad_per_s(k) * 60.0 / (2.0 * M_PI))
+                .arg(0.1 * std::cos(0.03 * k));
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - waveSpeed_rad_per_s(50)) < 0.001);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[100] - waveAngle_rad(100)) < 0.001);
 }
 
 QTEST_APPLESS_MAIN(TestImportValues)

@@ -102,7 +102,8 @@ void setOtherSidesDrivesAside(const RawTable& table, std::vector<Choice>& choice
   static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
   static constexpr auto sides = std::to_array<std::string_view>({"motor", "mot", "rotor", "joint", "link", "output"});
   const auto sideAt = [&table](size_t c) {
-    const std::string* side = firstIn(partsOfName(table.columns[c].channel.name, table.columns[c].unit).words, sides);
+    const Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
+    const std::string* side = firstIn(words, sides);
     return side == nullptr ? std::string() : *side;
   };
   const auto motion =

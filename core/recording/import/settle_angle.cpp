@@ -147,6 +147,7 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   if (period && *period == 360.0)
     return set(turn_rad / 360.0, "deg", message("it starts anew after 360")), Result<void>{};
   if (period && *period == 1.0) return set(turn_rad, "turns", message("it starts anew after 1")), Result<void>{};
+  if (period && *period == turn_rad) return set(1.0, "rad", message("it starts anew after 2 π")), Result<void>{};
   if (isCountedAsSpeed(c)) {
     choices_[c].name.needs = UnitNeeds::countsPerRev;
     set(turn_rad, "counts", message("so it agrees with the speed, which is in counts"));

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "recording/import/drive_evidence.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
 #include "recording/import/quantity_words.h"
@@ -48,6 +49,13 @@ Result<void> Settling::takeDuty() {
   }
   if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, message("is a duty, which ends at 1"));
   return {};
+}
+
+void Settling::setSteadyDutyAside() {
+  const auto c = columnOf("duty");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+  if (rangeOf(values(*c)) == 0.0 && largest(values(*c)) > 0.0 && turnsBothWays())
+    keep(*c, message("never changes although the speed does"));
 }
 
 Result<void> Settling::dutyBeyond(size_t c, const Message& what) {
@@ -182,9 +190,11 @@ void Settling::settleVoltage() {
   const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
   constexpr size_t often = 4;  // once up and down is a motor that is switched on and loaded
   const bool both = turnsBothWays(), again = speed && turnsBack(values(*speed)) >= often;
-  if (!driven && !both && !again) return;
+  const auto rising = both || again || driven ? std::nullopt : risesWithSpeed();
+  if (!driven && !both && !again && !rising) return;
   const Message why = battery  ? message("it hardly changes, and a battery's charge or a throttle stands beside it")
                       : driven ? message("it hardly changes while the duty does")
+                      : rising ? message("it hardly changes while {} rises with the speed", fates_[*rising].from)
                       : both   ? message("it hardly changes while the axis turns both ways")
                                : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
@@ -193,6 +203,21 @@ void Settling::settleVoltage() {
   fates_[*c].why = why;
   fates_[*c].guessed = true;
   if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+}
+
+std::optional<size_t> Settling::risesWithSpeed() const {
+  constexpr double together = 0.7, much = 0.5;
+  const auto speed = columnOf("velocity_rad_per_s");
+  if (!speed || rangeOf(table_.columns[*speed].channel.values) < much * largest(table_.columns[*speed].channel.values))
+    return std::nullopt;
+  for (const char* name : {"torque_Nm", "current_A"}) {
+    const auto c = columnOf(name);
+    const bool goes =
+        c &&
+        followingOf(table_.columns[*c].channel.values, table_.columns[*speed].channel.values).correlation > together;
+    if (goes) return c;
+  }
+  return std::nullopt;
 }
 
 void Settling::doubtCurrent() {

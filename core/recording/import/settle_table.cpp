@@ -72,6 +72,7 @@ Result<Imported> Settling::run() {
   takeReferencesByValues();
   if (const auto done = takeDuty(); !done) return done.error();
   signByDirection({"duty"});
+  setSteadyDutyAside();
   settleVoltage();
   signByDirection({"voltage_V"});
   for (size_t c = 0; c < choices_.size(); ++c) {

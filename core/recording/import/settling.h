@@ -102,6 +102,8 @@ class Settling {
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
+  /// One that never changes drives nothing both ways.
+  void setSteadyDutyAside();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
   /// A position or a way per second that is nothing's in metres, and no unit is told.
@@ -121,6 +123,8 @@ class Settling {
   void settleSupply();
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
   void settleVoltage();
+  /// A torque or a current that is larger the faster it turns, as no winding's at a steady voltage is.
+  std::optional<size_t> risesWithSpeed() const;
   /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
   void doubtCurrent();
   /// Kept unused, holding numbers, and neither the map nor the tool says so.
