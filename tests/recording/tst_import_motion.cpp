@@ -303,6 +303,13 @@ void TestImportMotion::inputAndOutputOfAGear_areItsSides() {
   QCOMPARE(meaning(*log, "input_torque_Nm"), "torque_Nm");
   QCOMPARE(meaning(*log, "output_speed_rpm"), "");
   QCOMPARE(meaning(*log, "output_torque_Nm"), "");
+  const auto encoders = moving({{"InputEncoder[deg]", 57, 0, 0},
+                                {"OutputEncoder[deg]", 0.57, 0, 0},
+                                {"InputTorque[Nm]", 0, 0.01, 0},
+                                {"OutputTorque[Nm]", 0, 0.8, 0}});
+  QVERIFY(encoders.ok());
+  QCOMPARE(meaning(*encoders, "InputEncoder[deg]"), "angle_rad");
+  QCOMPARE(meaning(*encoders, "InputTorque[Nm]"), "torque_Nm");
 }
 
 void TestImportMotion::inputBesideAnOutputAlone_isAReference() {

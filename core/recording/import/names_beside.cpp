@@ -263,6 +263,10 @@ void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
     Words words = wordsOf(table.columns[c].channel.name, true);
     return std::erase_if(words, [&](const std::string& word) { return word == side; }) == 1 ? words : Words{};
   };
+  const auto withoutSide = [&](size_t c, bool brief) {  // "in" changes nothing
+    const RawColumn& column = table.columns[c];
+    return brief ? choices[c].name : understandName(nameWithout(column.channel.name, "input"), column.unit);
+  };
   struct Pair {
     size_t input, output;
     bool brief;  // "in" and "out"
@@ -272,7 +276,7 @@ void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool brief = sideOf(c, "input").empty();
     const Words input = sideOf(c, brief ? "in" : "input");
-    if (input.empty() || choices[c].byMap || choices[c].byTool || !choices[c].name.understood()) continue;
+    if (input.empty() || choices[c].byMap || choices[c].byTool || !withoutSide(c, brief).understood()) continue;
     for (size_t k = 0; k < choices.size(); ++k) {
       if (sideOf(k, brief ? "out" : "output") != input || choices[k].byMap || choices[k].byTool) continue;
       pairs.push_back({c, k, brief});
@@ -285,7 +289,7 @@ void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
     const std::string& to = choices[output].name.to;
     const bool moves = to == "angle_rad" || to == "velocity_rad_per_s";
     if (sides || (moves && areGeared(in.channel.values, table.columns[output].channel.values))) {
-      if (!brief) choices[input].name = understandName(nameWithout(in.channel.name, "input"), in.unit);
+      choices[input].name = withoutSide(input, brief);
       setAside(choices[output], message("is behind a gear, beside {}", in.channel.name));
     } else if (brief && moves && choices[input].name.to == to) {
       choices[input].name.to.insert(to.find('_'), "_reference");

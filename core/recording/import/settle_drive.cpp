@@ -54,7 +54,10 @@ Result<void> Settling::takeDuty() {
 void Settling::setSteadyDutyAside() {
   const auto c = columnOf("duty");
   if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
-  if (rangeOf(values(*c)) == 0.0 && largest(values(*c)) > 0.0 && turnsBothWays())
+  constexpr size_t often = 4;
+  const auto speed = columnOf("velocity_rad_per_s");
+  const bool moves = turnsBothWays() || (speed && turnsBack(values(*speed)) >= often);
+  if (rangeOf(values(*c)) == 0.0 && largest(values(*c)) > 0.0 && moves)
     keep(*c, message("never changes although the speed does"));
 }
 

@@ -102,7 +102,7 @@ class Settling {
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
-  /// One that never changes drives nothing both ways.
+  /// One that never changes drives nothing both ways, or up and down again and again.
   void setSteadyDutyAside();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
