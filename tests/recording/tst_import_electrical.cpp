@@ -17,6 +17,8 @@ class TestImportElectrical : public QObject {
   void numbersOfRows_areNoCurrent();
   void voltageThatStandsStill_isTheSupplys_data();
   void voltageThatStandsStill_isTheSupplys();
+  void currentOfAnInverter_isDoubted_data();
+  void currentOfAnInverter_isDoubted();
   void fieldsWinding_isNotTheArmatures_data();
   void fieldsWinding_isNotTheArmatures();
   void registerThatWraps_isReadAsSigned();
@@ -118,6 +120,28 @@ void TestImportElectrical::voltageThatStandsStill_isTheSupplys() {
   const ColumnFate& fate = imported->columns[2];
   QCOMPARE(QString::fromStdString(fate.to), taken);
   QCOMPARE(fate.guessed, taken == "supply_V" || fate.unit.empty());
+}
+
+void TestImportElectrical::currentOfAnInverter_isDoubted_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<double>("least");
+  QTest::addColumn<bool>("doubted");
+  QTest::newRow("an amount") << "Output current (A)" << 0.5 << true;
+  QTest::newRow("both ways") << "Output current (A)" << -0.5 << false;
+  QTest::newRow("the motor's") << "Motor current (A)" << 0.5 << false;
+}
+
+void TestImportElectrical::currentOfAnInverter_isDoubted() {
+  QFETCH(QString, name);
+  QFETCH(double, least);
+  QFETCH(bool, doubted);
+  QString text = "time_s,Output frequency (Hz),Motor speed (rpm)," + name + "\n";
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3,%4\n").arg(0.1 * k).arg(0.1 * k).arg(6.0 * k).arg(least + 0.01 * k);
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QCOMPARE(log->columns[3].to, "current_A");
+  QCOMPARE(log->columns[3].guessed, doubted);
 }
 
 void TestImportElectrical::fieldsWinding_isNotTheArmatures_data() {

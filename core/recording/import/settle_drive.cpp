@@ -157,8 +157,22 @@ void Settling::settleSupply() {
   fates_[*c].guessed = true;
 }
 
+void Settling::doubtAmount() {
+  const auto c = columnOf("current_A");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool || goesBelowZero("current_A")) return;
+  static constexpr auto frequencies = std::to_array<std::string_view>({"frequency", "freq", "frequenz"});
+  const bool inverter = std::any_of(table_.columns.begin(), table_.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), frequencies) != nullptr;
+  });
+  if (!inverter || !isIn(wordsOf(fates_[*c].from, true), "output")) return;
+  fates_[*c].why = message("it may be the amount of an alternating current");
+  fates_[*c].doubt = fates_[*c].why;
+  fates_[*c].guessed = true;
+}
+
 void Settling::settleVoltage() {
   settleSupply();
+  doubtAmount();
   const auto c = columnOf("voltage_V");
   const auto told = columnOf("current_A");
   if (!c && told && !fates_[*told].guessed && columnOf("supply_V") && !columnOf("torque_Nm") &&

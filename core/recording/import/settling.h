@@ -127,6 +127,8 @@ class Settling {
   std::optional<size_t> risesWithSpeed() const;
   /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
   void doubtCurrent();
+  /// An inverter's output current that is never negative, beside its frequency, may be an effective value.
+  void doubtAmount();
   /// Kept unused, holding numbers, and neither the map nor the tool says so.
   bool isFree(size_t c) const;
   /// The same, and because its name says nothing that is known.
