@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "recording/import/columns_beside.h"
 #include "recording/import/settle_motion.h"
