@@ -74,6 +74,8 @@ class TestImportByValues : public QObject {
   void dutyOfUnknownScale_isKeptBesideACurrent();
   void largeValuesOfALetterAlone_areKept();
   void countsWithoutAUnit_yieldToAnAngleThatTellsIt();
+  void oneOfTwoThatOnlyTheirPlaceTellsApart_goesWithTheMotion_data();
+  void oneOfTwoThatOnlyTheirPlaceTellsApart_goesWithTheMotion();
 
  private:
   Result<Imported> logOf(const std::vector<NamedWave>& columns, int rows = 600) {
@@ -425,6 +427,40 @@ void TestImportByValues::countsWithoutAUnit_yieldToAnAngleThatTellsIt() {
   const auto log = logOf({{"ms", [](int k) { return 10.0 * k; }}, {"step_pos", counts}, {"motor_deg", degrees}});
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "motor_deg"), std::string("angle_rad"));
+}
+
+void TestImportByValues::oneOfTwoThatOnlyTheirPlaceTellsApart_goesWithTheMotion_data() {
+  QTest::addColumn<QString>("first");
+  QTest::addColumn<QString>("second");
+  QTest::addColumn<bool>("firstsOwn");
+  QTest::addColumn<QString>("to");
+  for (const bool firstsOwn : {true, false}) {
+    QTest::addRow("currents %d", firstsOwn) << "x_current_A"
+                                            << "y_current_A" << firstsOwn << "current_A";
+    QTest::addRow("torques %d", firstsOwn) << "pan_torque_Nm"
+                                           << "lift_torque_Nm" << firstsOwn << "torque_Nm";
+    QTest::addRow("references %d", firstsOwn) << "cmd1_rad_s"
+                                              << "cmd2_rad_s" << firstsOwn << "velocity_reference_rad_per_s";
+  }
+}
+
+void TestImportByValues::oneOfTwoThatOnlyTheirPlaceTellsApart_goesWithTheMotion() {
+  QFETCH(QString, first);
+  QFETCH(QString, second);
+  QFETCH(bool, firstsOwn);
+  QFETCH(QString, to);
+  const bool reference = to.contains("reference");
+  const QByteArray one = first.toUtf8(), two = second.toUtf8();
+  const auto own = [reference](int k) { return reference ? speedOfMotion(k + 2) : torqueOfMotion(k); };
+  const auto other = [reference](int k) { return elsewhere(k) * (reference ? 500.0 : 1.0); };
+  const auto log = logOf({{"time_s", clockOf},
+                          {"speed_rad_s", speedOfMotion},
+                          {one.constData(), firstsOwn ? std::function<double(int)>(own) : other},
+                          {two.constData(), firstsOwn ? std::function<double(int)>(other) : own}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, first.toStdString()), firstsOwn ? to.toStdString() : "");
+  QCOMPARE(meaning(*log, second.toStdString()), firstsOwn ? "" : to.toStdString());
+  if (!firstsOwn) QVERIFY(fateOf(*log, second.toStdString()).guessed);
 }
 
 QTEST_APPLESS_MAIN(TestImportByValues)

@@ -17,6 +17,10 @@ class TestImportElectrical : public QObject {
   void numbersOfRows_areNoCurrent();
   void voltageThatStandsStill_isTheSupplys_data();
   void voltageThatStandsStill_isTheSupplys();
+  void currentOfAnInverter_isDoubted_data();
+  void currentOfAnInverter_isDoubted();
+  void fieldsWinding_isNotTheArmatures_data();
+  void fieldsWinding_isNotTheArmatures();
   void registerThatWraps_isReadAsSigned();
   void registerInterpolatedAcrossItsWrap_isRefused();
 
@@ -116,6 +120,50 @@ void TestImportElectrical::voltageThatStandsStill_isTheSupplys() {
   const ColumnFate& fate = imported->columns[2];
   QCOMPARE(QString::fromStdString(fate.to), taken);
   QCOMPARE(fate.guessed, taken == "supply_V" || fate.unit.empty());
+}
+
+void TestImportElectrical::currentOfAnInverter_isDoubted_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<double>("least");
+  QTest::addColumn<bool>("doubted");
+  QTest::newRow("an amount") << "Output current (A)" << 0.5 << true;
+  QTest::newRow("both ways") << "Output current (A)" << -0.5 << false;
+  QTest::newRow("the motor's") << "Motor current (A)" << 0.5 << false;
+}
+
+void TestImportElectrical::currentOfAnInverter_isDoubted() {
+  QFETCH(QString, name);
+  QFETCH(double, least);
+  QFETCH(bool, doubted);
+  QString text = "time_s,Output frequency (Hz),Motor speed (rpm)," + name + "\n";
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3,%4\n").arg(0.1 * k).arg(0.1 * k).arg(6.0 * k).arg(least + 0.01 * k);
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QCOMPARE(log->columns[3].to, "current_A");
+  QCOMPARE(log->columns[3].guessed, doubted);
+}
+
+void TestImportElectrical::fieldsWinding_isNotTheArmatures_data() {
+  QTest::addColumn<QString>("head");
+  QTest::newRow("letters") << "i_f,i_a,v_f,v_a";
+  QTest::newRow("letters with units") << "i_f_A,i_a_A,v_f_V,v_a_V";
+  QTest::newRow("words") << "field_current_A,armature_current_A,excitation_voltage_V,armature_voltage_V";
+}
+
+void TestImportElectrical::fieldsWinding_isNotTheArmatures() {
+  QFETCH(QString, head);
+  QString text = "time_s,velocity_rad_per_s," + head + "\n";
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,0.8,%3,200,%4\n")
+                .arg(0.01 * k)
+                .arg(speedOf(1, k))
+                .arg(0.1 + 0.01 * speedOf(1, k))
+                .arg(0.2 + 0.05 * speedOf(1, k));
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("current_A")[50] - (0.1 + 0.01 * speedOf(1, 50))) < 1e-4);
+  QVERIFY(std::abs(log->recording.channel("voltage_V")[50] - (0.2 + 0.05 * speedOf(1, 50))) < 1e-4);
 }
 
 static std::string xl330(const std::string& first, const std::string& second, const std::string& third) {

@@ -36,11 +36,16 @@ class TestImportMotion : public QObject {
   void currentOfAnotherMakersServo_isKept();
   void inputAndOutputOfAGear_areItsSides();
   void inputBesideAnOutputAlone_isAReference();
+  void inputThatTurnsAMultipleOfItsOutput_isTheMotors_data();
+  void inputThatTurnsAMultipleOfItsOutput_isTheMotors();
+  void whatGoesInBesideWhatComesOut_isAReference();
   void torqueOfSomethingElseThanTheMotor_isKept_data();
   void torqueOfSomethingElseThanTheMotor_isKept();
   void motorsMotionUnderOtherNames_isFound_data();
   void motorsMotionUnderOtherNames_isFound();
   void tachometerOfAVesc_isElectrical();
+  void torqueOfTheJoint_isNotTheMotors();
+  void rawSpeed_yieldsToTheMeasuredOne();
 
  private:
   struct Wave {
@@ -298,6 +303,13 @@ void TestImportMotion::inputAndOutputOfAGear_areItsSides() {
   QCOMPARE(meaning(*log, "input_torque_Nm"), "torque_Nm");
   QCOMPARE(meaning(*log, "output_speed_rpm"), "");
   QCOMPARE(meaning(*log, "output_torque_Nm"), "");
+  const auto encoders = moving({{"InputEncoder[deg]", 57, 0, 0},
+                                {"OutputEncoder[deg]", 0.57, 0, 0},
+                                {"InputTorque[Nm]", 0, 0.01, 0},
+                                {"OutputTorque[Nm]", 0, 0.8, 0}});
+  QVERIFY(encoders.ok());
+  QCOMPARE(meaning(*encoders, "InputEncoder[deg]"), "angle_rad");
+  QCOMPARE(meaning(*encoders, "InputTorque[Nm]"), "torque_Nm");
 }
 
 void TestImportMotion::inputBesideAnOutputAlone_isAReference() {
@@ -305,6 +317,35 @@ void TestImportMotion::inputBesideAnOutputAlone_isAReference() {
   QVERIFY(log.ok());
   QCOMPARE(meaning(*log, "input_speed_rpm"), "velocity_reference_rad_per_s");
   QCOMPARE(meaning(*log, "output_speed_rpm"), "velocity_rad_per_s");
+}
+
+void TestImportMotion::inputThatTurnsAMultipleOfItsOutput_isTheMotors_data() {
+  QTest::addColumn<QString>("input");
+  QTest::addColumn<QString>("output");
+  QTest::newRow("in words") << "input_speed_rpm"
+                            << "output_speed_rpm";
+  QTest::newRow("in and out") << "speed_in_rpm"
+                              << "speed_out_rpm";
+}
+
+void TestImportMotion::inputThatTurnsAMultipleOfItsOutput_isTheMotors() {
+  QFETCH(QString, input);
+  QFETCH(QString, output);
+  const QByteArray in = input.toUtf8(), out = output.toUtf8();
+  const auto log = moving({{out.constData(), 0, 1.9, 0}, {in.constData(), 0, 9.5, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, input.toStdString()), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, output.toStdString()), "");
+}
+
+void TestImportMotion::whatGoesInBesideWhatComesOut_isAReference() {
+  const auto log = moving({{"speed_in_rpm", 0, 9.5, 1}, {"speed_out_rpm", 0, 9.5, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "speed_in_rpm"), "velocity_reference_rad_per_s");
+  QCOMPARE(meaning(*log, "speed_out_rpm"), "velocity_rad_per_s");
+  for (const ColumnFate& fate : log->columns) {
+    if (fate.from == "speed_in_rpm") QVERIFY(fate.guessed);
+  }
 }
 
 void TestImportMotion::torqueOfSomethingElseThanTheMotor_isKept_data() {
@@ -379,6 +420,28 @@ void TestImportMotion::tachometerOfAVesc_isElectrical() {
   QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - 40.0 * std::sin(1.5)) < 0.1);
   QCOMPARE(meaning(*log, "imotor"), "current_A");
   QCOMPARE(meaning(*log, "iin"), "");
+}
+
+void TestImportMotion::torqueOfTheJoint_isNotTheMotors() {
+  const auto both = moving({{"motor_pos(rad)", 1, 0, 0},
+                            {"motor_vel(rad/s)", 0, 1, 0},
+                            {"joint_pos(rad)", 0.02, 0, 0},
+                            {"joint_vel(rad/s)", 0, 0.02, 0},
+                            {"joint_torque(Nm)", 0, 0.3, 0}});
+  QVERIFY(both.ok());
+  QCOMPARE(meaning(*both, "motor_vel(rad/s)"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*both, "joint_torque(Nm)"), "");
+  const auto joint =
+      moving({{"joint_pos(rad)", 1, 0, 0}, {"joint_vel(rad/s)", 0, 1, 0}, {"motor_torque(Nm)", 0, 1, 0}});
+  QVERIFY(joint.ok());
+  QCOMPARE(meaning(*joint, "motor_torque(Nm)"), "torque_Nm");
+}
+
+void TestImportMotion::rawSpeed_yieldsToTheMeasuredOne() {
+  const auto log = moving({{"vel_raw", 0.1, 1, 0}, {"vel_meas", 0, 1, 0}, {"iq_meas", 0, 0.01, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "vel_meas"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "vel_raw"), "");
 }
 
 QTEST_APPLESS_MAIN(TestImportMotion)

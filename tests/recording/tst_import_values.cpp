@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "recording/import/import.h"
@@ -24,6 +25,16 @@ class TestImportValues : public QObject {
   void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
   void wholeVoltsBeyondAMotors_areNoSupply();
   void currentBesideAThrottleAndASupply_isDoubted();
+  void countsThatStartAnew_areToldByTheSpeed_data();
+  void countsThatStartAnew_areToldByTheSpeed();
+  void speedInCounts_isToldByTheAngle();
+  void periodOfALoop_makesTheTime_data();
+  void periodOfALoop_makesTheTime();
+  void steadyVoltageBesideADirection_isTheSupplys();
+  void steadyVoltageBesideATorqueThatRises_isTheSupplys_data();
+  void steadyVoltageBesideATorqueThatRises_isTheSupplys();
+  void steadyPercents_areNoDutyOfAMotionBothWays();
+  void angleThatStartsAnewAfterTwoPi_tellsTheSpeedsUnit();
 
  private:
   ImportedLogs logs_;
@@ -181,6 +192,131 @@ void TestImportValues::currentBesideAThrottleAndASupply_isDoubted() {
   QVERIFY(words("current_mA").find("supply's") != std::string::npos);
   QVERIFY(words("current").find("supply's") != std::string::npos);
   QVERIFY(words("motor_current_mA").find("supply's") == std::string::npos);
+}
+
+/// A wave of the speed and where it leads to, in radians, at each of 0.01 s.
+static double waveSpeed_rad_per_s(int k) {
+  return 30.0 * std::sin(0.03 * k);
+}
+static double waveAngle_rad(int k) {
+  return 10.0 * (1.0 - std::cos(0.03 * k));
+}
+
+void TestImportValues::countsThatStartAnew_areToldByTheSpeed_data() {
+  QTest::addColumn<int>("wrapsAfter");
+  QTest::addColumn<bool>("told");
+  QTest::newRow("with each turn") << 4096 << true;
+  QTest::newRow("a register of 16 bits") << 65536 << true;
+  QTest::newRow("four times a turn") << 1024 << false;
+}
+
+void TestImportValues::countsThatStartAnew_areToldByTheSpeed() {
+  QFETCH(int, wrapsAfter);
+  QFETCH(bool, told);
+  const double countsPerTurn = wrapsAfter > 60000 ? 40000.0 : 4096.0;
+  QString text = "time_s,encoder_count,speed_rpm\n";
+  for (int k = 0; k < 400; ++k) {
+    const int counts = static_cast<int>(std::floor(waveAngle_rad(k) / (2.0 * M_PI) * countsPerTurn));
+    text +=
+        QString("%1,%2,%3\n").arg(0.01 * k).arg(counts % wrapsAfter).arg(waveSpeed_rad_per_s(k) * 60.0 / (2.0 * M_PI));
+  }
+  const auto log = logs_.imported(text);
+  QCOMPARE(log.ok(), told);
+  if (!told) return;
+  for (size_t k = 0; k < 400; ++k)
+    QVERIFY(std::abs(log->recording.channel("angle_rad")[k] - waveAngle_rad(static_cast<int>(k))) < 0.002);
+}
+
+void TestImportValues::speedInCounts_isToldByTheAngle() {
+  QString text = "t_sec,pos_deg,vel_steps_per_sec\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3\n")
+                .arg(0.01 * k)
+                .arg(waveAngle_rad(k) * 180.0 / M_PI, 0, 'f', 4)
+                .arg(std::round(waveSpeed_rad_per_s(k) * 4096.0 / (2.0 * M_PI)));
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  for (size_t k = 0; k < 400; ++k)
+    QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[k] - waveSpeed_rad_per_s(static_cast<int>(k))) <
+            0.001);
+  QVERIFY(std::any_of(log->remarks.begin(), log->remarks.end(),
+                      [](const Message& one) { return one.english().find("4096") != std::string::npos; }));
+}
+
+void TestImportValues::periodOfALoop_makesTheTime_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<double>("spread");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("a loop's") << "period_us" << 0.02 << true;
+  QTest::newRow("a sensor's, which changes with the speed") << "period_us" << 0.8 << false;
+  QTest::newRow("no unit") << "period" << 0.02 << false;
+}
+
+void TestImportValues::periodOfALoop_makesTheTime() {
+  QFETCH(QString, name);
+  QFETCH(double, spread);
+  QFETCH(bool, taken);
+  QString text = "angle_rad," + name + "\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2\n").arg(waveAngle_rad(k)).arg(1000.0 * (1.0 + spread * std::sin(0.4 * k)));
+  const auto log = logs_.imported(text);
+  QCOMPARE(log.ok(), taken);
+  if (!taken) return;
+  QVERIFY(std::abs(log->recording.channel("time_s")[399] - 0.399) < 0.001);
+  QVERIFY(log->columns[1].guessed);
+}
+
+void TestImportValues::steadyVoltageBesideADirection_isTheSupplys() {
+  QString text = "t_ms,dir,speed_rpm,volt_V\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(10 * k)
+                .arg(waveSpeed_rad_per_s(k) < 0.0 ? -1 : 1)
+                .arg(10.0 * waveSpeed_rad_per_s(k))
+                .arg(k % 3 == 0 ? 11.9 : 12.0);
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "volt_V"), "supply_V");
+}
+
+void TestImportValues::steadyVoltageBesideATorqueThatRises_isTheSupplys_data() {
+  QTest::addColumn<double>("slope");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("a propeller's, which rises with the speed") << 1.0 << "supply_V";
+  QTest::newRow("a motor's at its voltage, which falls") << -1.0 << "voltage_V";
+}
+
+void TestImportValues::steadyVoltageBesideATorqueThatRises_isTheSupplys() {
+  QFETCH(double, slope);
+  QFETCH(QString, to);
+  QString text = "t_s,torque_nm,voltage_v,rpm\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3,%4\n").arg(0.03 * k).arg(0.5 + slope * 0.001 * k).arg(16.1).arg(100.0 + 5.0 * k);
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage_v"), to.toStdString());
+}
+
+void TestImportValues::steadyPercents_areNoDutyOfAMotionBothWays() {
+  QString text = "time_ms,vel_rad_s,pct\n";
+  for (int k = 0; k < 400; ++k) text += QString("%1,%2,40\n").arg(10 * k).arg(waveSpeed_rad_per_s(k));
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "pct"), "");
+}
+
+void TestImportValues::angleThatStartsAnewAfterTwoPi_tellsTheSpeedsUnit() {
+  QString text = "time_s,theta_enc,speed_enc,iq\n";
+  for (int k = 0; k < 400; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(0.01 * k)
+                .arg(std::fmod(waveAngle_rad(k), 2.0 * M_PI))
+                .arg(waveSpeed_rad_per_s(k) * 60.0 / (2.0 * M_PI))
+                .arg(0.1 * std::cos(0.03 * k));
+  const auto log = logs_.imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - waveSpeed_rad_per_s(50)) < 0.001);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[100] - waveAngle_rad(100)) < 0.001);
 }
 
 QTEST_APPLESS_MAIN(TestImportValues)

@@ -21,21 +21,14 @@ namespace breakaway {
 namespace {
 
 // What each thing that is known is worth; a rank's step is 1.
-constexpr double aColumn = 14.0;         // that stands first among those that mean the same
-constexpr double tellsMore = 1.5;        // an angle tells the speed, too
-constexpr double goesWith = 10.0;        // the angle changes as the speed says,
-constexpr double goesLittleWith = -5.0;  // or does so by little,
-constexpr double goesOtherwise = -9.0;   // or not at all,
-constexpr double ownersDiffer = -9.0;    // and is called by something else
-constexpr double oneOwner = 3.0;         // both are called by the same words
-constexpr double motorsOwn = 6.0;        // where several things move
-constexpr double besideMotors = -14.0;   // called by nothing, where a motor's own moves otherwise
-constexpr double anotherBeside = -10.0;  // called by something else there
-constexpr double ofWhatDrivesIt = 8.0;   // times how much of a drive the motion explains
-constexpr double clearly = 3.0;          // ahead of another motion
+constexpr double aColumn = 14.0;                  // that stands first among those that mean the same
+constexpr double tellsMore = 1.5;                 // an angle tells the speed, too
+constexpr double evidence = 10.0;                 // that a motion, a name or a drive is for a choice, or against it
+constexpr double besideMotors = -1.5 * evidence;  // none of the motor's, where the motor's own moves otherwise
+constexpr double clearly = 3.0;                   // ahead of another motion
 
 // Of what two motions have in common.
-constexpr double much = 0.9, little = 0.6, nextToNothing = 0.3;
+constexpr double much = 0.9, little = 0.5;
 
 constexpr double moreThanNoise = 0.15;  // of a drive that a motion explains
 
@@ -239,9 +232,8 @@ class Assignment {
       const bool told = movers_[j].angle || !choices_[movers_[j].column].name.unit.empty();
       beside = beside || (movers_[j].owner == Owner::motor && told);
     }
-    if (several && one.owner == Owner::motor) points += motorsOwn;
-    if (beside && one.owner == Owner::nobody) points += besideMotors;
-    if (beside && one.owner == Owner::another) points += anotherBeside;
+    if (several && one.owner == Owner::motor) points += evidence;
+    if (beside && (one.owner == Owner::nobody || one.owner == Owner::another)) points += besideMotors;
     return points;
   }
 
@@ -252,13 +244,11 @@ class Assignment {
       points += pointsOf(*one);
       driven = std::max(driven, movers_[*one].driven);
     }
-    if (driven > moreThanNoise) points += ofWhatDrivesIt * driven;
+    if (driven > moreThanNoise) points += evidence * driven;
     if (!angle || !speed) return points;
     const double alike = common(*angle, *speed).value_or(much);
-    if (alike >= much) points += goesWith;
-    if (alike < little) points += alike < nextToNothing ? goesOtherwise : goesLittleWith;
-    if (alike < nextToNothing && strangers(movers_[*angle], movers_[*speed])) points += ownersDiffer;
-    if (!movers_[*angle].called.empty() && movers_[*angle].called == movers_[*speed].called) points += oneOwner;
+    if (alike >= much) points += evidence;
+    if (alike < little) points -= strangers(movers_[*angle], movers_[*speed]) ? 2.0 * evidence : evidence;
     return points;
   }
 
@@ -280,7 +270,7 @@ Message whyNot(Assignment& all, const RawTable& table, size_t first, const Chose
   const size_t other = instead.value_or(partner.value_or(first));
   if (all.movers()[other].owner == Owner::motor)
     return message("moves otherwise than {}, which is the motor's", nameOf(other));
-  if (all.movers()[other].driven > all.movers()[first].driven + nextToNothing)
+  if (all.movers()[other].driven > all.movers()[first].driven + little)
     return message("moves otherwise than {}, which what drives it explains", nameOf(other));
   return message("moves otherwise than {}, and is called by something else", nameOf(other));
 }

@@ -11,6 +11,7 @@
 #include "recording/columns.h"
 #include "recording/import/assign_motion.h"
 #include "recording/import/columns_beside.h"
+#include "recording/import/drive_evidence.h"
 #include "recording/import/foreign_names.h"
 #include "recording/import/joined_words.h"
 #include "recording/import/motion_beside.h"
@@ -268,15 +269,19 @@ size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Ch
   return best;
 }
 
+std::vector<int> ranksOf(const RawTable& table, const ImportMap& map, const std::vector<Choice>& choices) {
+  std::vector<int> ranks;
+  ranks.reserve(choices.size());
+  for (size_t c = 0; c < choices.size(); ++c) ranks.push_back(rankOf(table.columns[c], choices[c], map));
+  return ranks;
+}
+
 /// Angles and speeds that don't go with those that would be taken.
 void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   const size_t place = bestFor(table, map, choices, "position_m"),
                rotation = bestFor(table, map, choices, "velocity_rad_per_s");
   if (std::max(place, rotation) < choices.size()) setStrangePlaceAside(table, place, rotation, choices);
-  std::vector<int> ranks;
-  ranks.reserve(choices.size());
-  for (size_t c = 0; c < choices.size(); ++c) ranks.push_back(rankOf(table.columns[c], choices[c], map));
-  assignMotion(table, ranks, choices);
+  assignMotion(table, ranksOf(table, map, choices), choices);
 }
 
 /// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a
@@ -435,6 +440,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   dropStrangers(table, map, choices);
   setBalancesAside(table, map, choices);
+  preferMotionsOwn(table, ranksOf(table, map, choices), choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   setOthersAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {

@@ -321,6 +321,7 @@ ColumnName taken(NameReading& name) {
   if (name.kind == UnitKind::time && name.unknownBefore > 0) rank += 2;  // "loop_time" after "time"
   if ((name.turns() && name.electrical) || (moves && firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   if (name.turns() && firstIn(parts.words, estimateWords) != nullptr) ++rank;  // "omega_hat" after "omega"
+  if (name.turns() && name.has("raw")) ++rank;                                 // "vel_raw" after "vel_meas"
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;

@@ -84,20 +84,25 @@ void takeVoltages(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// A DC motor has one winding: "u_a" with no "u_b" beside it is its armature's voltage, "ia" its current.
+/// A DC motor has one winding: "u_a" with no "u_b" beside it is its armature's voltage, "ia" its current, beside which
+/// "if" is that of its field.
 void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   const auto plain = [](const std::string& name) {
     std::string letters;
     const std::string own = name.substr(0, name.find_first_of("[("));
     const size_t path = own.find_last_of("./");
-    for (const std::string& word : wordsOf(path == std::string::npos ? own : own.substr(path + 1), false))
-      letters += word;
+    Words words = wordsOf(path == std::string::npos ? own : own.substr(path + 1), false);
+    if (words.size() == 3 && (words[2] == "a" || words[2] == "v")) words.pop_back();  // the unit of "i_a_A"
+    for (const std::string& word : words) letters += word;
     return letters;
   };
   for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string name = plain(table.columns[c].channel.name);
+    const bool field = name == "uf" || name == "vf" || name == "if";
+    if (field && names.contains(name.substr(0, 1) + "a") && !choices[c].byMap)
+      setAside(choices[c], message("is the field winding's, beside the armature's"));
     const bool armature = name == "ua" || name == "va" || name == "ia";
     if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
     if (names.contains(name.substr(0, 1) + "b")) continue;

@@ -184,7 +184,12 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
   parts.unitText = parts.words[0];
   static constexpr auto sent = std::to_array<std::string_view>({"pulse", "pulses", "steps", "microsteps"});
   // Steps are sent to a stepper; beside an encoder it is that which tells. "rpm" tells more than "speed" does.
-  return nameTaken(parts, to, isIn(sent, parts.words[0]) ? 4 : parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
+  ColumnName taken = nameTaken(parts, to,
+                               isIn(sent, parts.words[0])                      ? 4
+                               : parts.unit->kind == UnitKind::angularVelocity ? 0
+                                                                               : 2);
+  taken.byUnit = parts.unit->kind == UnitKind::ratio;  // "pct" doesn't say of what
+  return taken;
 }
 
 }  // namespace breakaway

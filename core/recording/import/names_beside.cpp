@@ -249,29 +249,52 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "input_speed" and "output_speed" beside "input_torque" and "output_torque" are a gear's two sides: the motor's is
-/// the first, and no reference.
+/// A gear's input turns as its output does, times a number that isn't one.
+bool areGeared(const std::vector<double>& input, const std::vector<double>& output) {
+  constexpr double alike = 0.999, ratio = 1.05;
+  const Likeness one = likenessOf(input, output);
+  return one.correlation > alike && std::abs(std::log(one.times)) > std::log(ratio);
+}
+
+/// "input_speed" and "output_speed" (or "speed_in", "speed_out") are a gear's two sides, of which the motor's is the
+/// first, where torques stand beside them or the one is a multiple of the other. Else what goes in is a reference.
 void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
   const auto sideOf = [&table](size_t c, std::string_view side) {
     Words words = wordsOf(table.columns[c].channel.name, true);
     return std::erase_if(words, [&](const std::string& word) { return word == side; }) == 1 ? words : Words{};
   };
-  std::vector<std::pair<size_t, size_t>> pairs;  // input, output
+  const auto withoutSide = [&](size_t c, bool brief) {  // "in" changes nothing
+    const RawColumn& column = table.columns[c];
+    return brief ? choices[c].name : understandName(nameWithout(column.channel.name, "input"), column.unit);
+  };
+  struct Pair {
+    size_t input, output;
+    bool brief;  // "in" and "out"
+  };
+  std::vector<Pair> pairs;
   bool torque = false;
   for (size_t c = 0; c < choices.size(); ++c) {
-    const Words input = sideOf(c, "input");
-    if (input.empty() || choices[c].byMap || choices[c].byTool || !choices[c].name.understood()) continue;
+    const bool brief = sideOf(c, "input").empty();
+    const Words input = sideOf(c, brief ? "in" : "input");
+    if (input.empty() || choices[c].byMap || choices[c].byTool || !withoutSide(c, brief).understood()) continue;
     for (size_t k = 0; k < choices.size(); ++k) {
-      if (sideOf(k, "output") != input || choices[k].byMap || choices[k].byTool) continue;
-      pairs.emplace_back(c, k);
+      if (sideOf(k, brief ? "out" : "output") != input || choices[k].byMap || choices[k].byTool) continue;
+      pairs.push_back({c, k, brief});
       torque = torque || choices[k].name.to == "torque_Nm";
     }
   }
-  if (pairs.size() < 2 || !torque) return;
-  for (const auto& [input, output] : pairs) {
-    choices[input].name =
-        understandName(nameWithout(table.columns[input].channel.name, "input"), table.columns[input].unit);
-    setAside(choices[output], message("is behind a gear, beside {}", table.columns[input].channel.name));
+  const bool sides = pairs.size() > 1 && torque;
+  for (const auto& [input, output, brief] : pairs) {
+    const RawColumn& in = table.columns[input];
+    const std::string& to = choices[output].name.to;
+    const bool moves = to == "angle_rad" || to == "velocity_rad_per_s";
+    if (sides || (moves && areGeared(in.channel.values, table.columns[output].channel.values))) {
+      choices[input].name = withoutSide(input, brief);
+      setAside(choices[output], message("is behind a gear, beside {}", in.channel.name));
+    } else if (brief && moves && choices[input].name.to == to) {
+      choices[input].name.to.insert(to.find('_'), "_reference");
+      choices[input].name.guess = message("what {} shall be", table.columns[output].channel.name);
+    }
   }
 }
 

@@ -96,6 +96,33 @@ void setOthersTorquesAside(const RawTable& table, std::vector<Choice>& choices) 
   }
 }
 
+/// "joint_torque" beside "joint_pos" is the joint's, where the motion that was taken is "motor_pos", before its gear.
+void setOtherSidesDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto drives = std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty"});
+  static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
+  static constexpr auto sides = std::to_array<std::string_view>({"motor", "mot", "rotor", "joint", "link", "output"});
+  const auto sideAt = [&table](size_t c) {
+    const Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
+    const std::string* side = firstIn(words, sides);
+    return side == nullptr ? std::string() : *side;
+  };
+  const auto motion =
+      std::find_if(choices.begin(), choices.end(), [](const Choice& one) { return isIn(motions, one.name.to); });
+  if (motion == choices.end()) return;
+  const std::string taken = sideAt(static_cast<size_t>(motion - choices.begin()));
+  for (size_t c = 0; c < choices.size() && !taken.empty(); ++c) {
+    const std::string side = sideAt(c);
+    const bool open = isIn(drives, choices[c].name.to) && !choices[c].byMap && !choices[c].byTool;
+    if (!open || side.empty() || side == taken) continue;
+    for (size_t k = 0; k < choices.size(); ++k) {
+      const ColumnName own = understandName(table.columns[k].channel.name, table.columns[k].unit);
+      if (choices[k].name.understood() || sideAt(k) != side || !isIn(motions, own.to)) continue;
+      setAside(choices[c], message("belongs to {}, which isn't taken", table.columns[k].channel.name));
+      break;
+    }
+  }
+}
+
 /// "index_torque" beside "index_position" is of that, where the motion that was taken is "arm_position".
 void setOthersDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto motions = std::to_array<UnitKind>({UnitKind::angle, UnitKind::angularVelocity});
@@ -161,6 +188,7 @@ void preferDriven(const RawTable& table, std::vector<Choice>& choices) {
 }
 
 void setOthersAside(const RawTable& table, std::vector<Choice>& choices) {
+  setOtherSidesDrivesAside(table, choices);
   setOthersDrivesAside(table, choices);
   setOthersReferencesAside(table, choices);
   setOthersTorquesAside(table, choices);

@@ -87,8 +87,8 @@ inline constexpr auto loadWords =
                                      "braking", "bremse", "frein", "freno", "carga", "feedforward", "ff"});
 /// Signals of a vehicle or a board, and other machines': a current or a voltage called so is none of a motor's.
 inline constexpr auto otherSources = std::to_array<std::string_view>(
-    {"throttle", "brake", "pedal", "accelerator", "apps", "mppt", "solar", "panel", "pv", "charger", "pot",
-     "potentiometer", "hall", "cell", "logic", "usb", "shunt", "light", "lights"});
+    {"throttle",      "brake", "pedal", "accelerator", "apps", "mppt",  "solar", "panel",  "pv",    "charger",   "pot",
+     "potentiometer", "hall",  "cell",  "logic",       "usb",  "shunt", "light", "lights", "field", "excitation"});
 inline constexpr auto driverWords = std::to_array<std::string_view>(
     {"fet",    "mos",  "mosfet",  "driver",   "controller", "mcu",      "board",  "ambient", "esc", "ctrl",   "drv",
      "inv",    "bms",  "pack",    "cell",     "battery",    "coolant",  "oil",    "water",   "air", "intake", "exhaust",

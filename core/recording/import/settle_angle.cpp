@@ -147,6 +147,7 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   if (period && *period == 360.0)
     return set(turn_rad / 360.0, "deg", message("it starts anew after 360")), Result<void>{};
   if (period && *period == 1.0) return set(turn_rad, "turns", message("it starts anew after 1")), Result<void>{};
+  if (period && *period == turn_rad) return set(1.0, "rad", message("it starts anew after 2 π")), Result<void>{};
   if (isCountedAsSpeed(c)) {
     choices_[c].name.needs = UnitNeeds::countsPerRev;
     set(turn_rad, "counts", message("so it agrees with the speed, which is in counts"));
@@ -197,23 +198,6 @@ std::optional<double> Settling::scaleBySpeed(size_t c) {
   return std::nullopt;
 }
 
-bool Settling::countsBySpeed(size_t c) {
-  const auto v = columnOf("velocity_rad_per_s");
-  if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
-  const auto motion = motionOf(c, *v);
-  constexpr double fewest = 8.0;
-  if (!motion || motion->correlation < 0.95) return false;
-  const double measured = motion->factor / fates_[*v].scale * turn_rad;
-  if (measured < fewest || rangeOf(values(c)) < measured) return false;
-  counts_per_rev_ = usualCounts(measured);
-  remarks_.push_back(message(
-      "{} is in counts, of which {} were taken for one turn, a guess: beside {} it makes {} a turn; say it with --map "
-      "{}",
-      fates_[c].from, shortText(*counts_per_rev_), fates_[*v].from, shortText(std::round(measured * 10.0) / 10.0),
-      "{\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}"));
-  return true;
-}
-
 std::optional<MotionFactor> Settling::motionOf(size_t angle, size_t speed) {
   return compareMotion(time_.time_s, values(angle), values(speed), time_.pauses);
 }
@@ -251,6 +235,8 @@ Result<void> Settling::takeSpeed() {
   if (!c || settled_.contains(*c)) return {};
   const auto angle = columnOf("angle_rad");
   const bool alone = !angle && !columnOf("position_m");
+  const bool counts = choices_[*c].name.needs == UnitNeeds::countsPerRev && !choices_[*c].byMap;
+  if (counts && angle && !map_.counts_per_rev && !counts_per_rev_) countsByAngle(*c, *angle);
   const auto filled = fillNeed(*c, alone);
   if (!filled) return filled.error();
   if (!*filled) return {};

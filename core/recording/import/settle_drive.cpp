@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "recording/import/drive_evidence.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
 #include "recording/import/quantity_words.h"
@@ -48,6 +49,16 @@ Result<void> Settling::takeDuty() {
   }
   if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, message("is a duty, which ends at 1"));
   return {};
+}
+
+void Settling::setSteadyDutyAside() {
+  const auto c = columnOf("duty");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+  constexpr size_t often = 4;
+  const auto speed = columnOf("velocity_rad_per_s");
+  const bool moves = turnsBothWays() || (speed && turnsBack(values(*speed)) >= often);
+  if (rangeOf(values(*c)) == 0.0 && largest(values(*c)) > 0.0 && moves)
+    keep(*c, message("never changes although the speed does"));
 }
 
 Result<void> Settling::dutyBeyond(size_t c, const Message& what) {
@@ -146,8 +157,22 @@ void Settling::settleSupply() {
   fates_[*c].guessed = true;
 }
 
+void Settling::doubtAmount() {
+  const auto c = columnOf("current_A");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool || goesBelowZero("current_A")) return;
+  static constexpr auto frequencies = std::to_array<std::string_view>({"frequency", "freq", "frequenz"});
+  const bool inverter = std::any_of(table_.columns.begin(), table_.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), frequencies) != nullptr;
+  });
+  if (!inverter || !isIn(wordsOf(fates_[*c].from, true), "output")) return;
+  fates_[*c].why = message("it may be the amount of an alternating current");
+  fates_[*c].doubt = fates_[*c].why;
+  fates_[*c].guessed = true;
+}
+
 void Settling::settleVoltage() {
   settleSupply();
+  doubtAmount();
   const auto c = columnOf("voltage_V");
   const auto told = columnOf("current_A");
   if (!c && told && !fates_[*told].guessed && columnOf("supply_V") && !columnOf("torque_Nm") &&
@@ -182,9 +207,11 @@ void Settling::settleVoltage() {
   const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
   constexpr size_t often = 4;  // once up and down is a motor that is switched on and loaded
   const bool both = turnsBothWays(), again = speed && turnsBack(values(*speed)) >= often;
-  if (!driven && !both && !again) return;
+  const auto rising = both || again || driven ? std::nullopt : risesWithSpeed();
+  if (!driven && !both && !again && !rising) return;
   const Message why = battery  ? message("it hardly changes, and a battery's charge or a throttle stands beside it")
                       : driven ? message("it hardly changes while the duty does")
+                      : rising ? message("it hardly changes while {} rises with the speed", fates_[*rising].from)
                       : both   ? message("it hardly changes while the axis turns both ways")
                                : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
@@ -193,6 +220,21 @@ void Settling::settleVoltage() {
   fates_[*c].why = why;
   fates_[*c].guessed = true;
   if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+}
+
+std::optional<size_t> Settling::risesWithSpeed() const {
+  constexpr double together = 0.7, much = 0.5;
+  const auto speed = columnOf("velocity_rad_per_s");
+  if (!speed || rangeOf(table_.columns[*speed].channel.values) < much * largest(table_.columns[*speed].channel.values))
+    return std::nullopt;
+  for (const char* name : {"torque_Nm", "current_A"}) {
+    const auto c = columnOf(name);
+    const bool goes =
+        c &&
+        followingOf(table_.columns[*c].channel.values, table_.columns[*speed].channel.values).correlation > together;
+    if (goes) return c;
+  }
+  return std::nullopt;
 }
 
 void Settling::doubtCurrent() {

@@ -1,9 +1,9 @@
 // What the motion was to follow: its unit, and whether it was followed at all.
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "recording/import/drive_evidence.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
@@ -12,27 +12,6 @@
 namespace breakaway {
 
 namespace {
-
-using Eigen::MatrixXd;
-
-/// How much two columns have in common about their means, and how often the first stands in the second.
-struct Following {
-  double correlation = 0.0, slope = 0.0;
-};
-
-Following followingOf(const std::vector<double>& reference, const std::vector<double>& measured) {
-  MatrixXd both(reference.size(), 2);
-  Eigen::Index count = 0;
-  for (size_t k = 0; k < reference.size(); ++k) {
-    if (std::isfinite(reference[k]) && std::isfinite(measured[k])) both.row(count++) << reference[k], measured[k];
-  }
-  if (count == 0) return {};
-  const MatrixXd about = both.topRows(count).rowwise() - both.topRows(count).colwise().mean();
-  const double size = about.col(0).squaredNorm(), other = about.col(1).squaredNorm();
-  if (!(size > 0.0) || !(other > 0.0)) return {};
-  const double common = about.col(0).dot(about.col(1));
-  return {common / std::sqrt(size * other), common / size};
-}
 
 bool namesOnlyReference(const Words& words) {
   return firstIn(words, referenceWords) != nullptr && std::all_of(words.begin(), words.end(), [](const auto& word) {
@@ -132,13 +111,7 @@ bool Settling::staysElsewhere(size_t reference, size_t measured) {
 
 bool Settling::isFollowed(size_t reference, size_t measured) {
   constexpr double little = 0.3;
-  constexpr auto lags = std::to_array({0.0, 0.01, 0.03, 0.1});  // of the rows
-  const auto& shall = values(reference);
-  const auto& is = values(measured);
-  return std::any_of(lags.begin(), lags.end(), [&](double lag) {
-    const auto rows = static_cast<std::ptrdiff_t>(lag * static_cast<double>(is.size()));
-    return followingOf({shall.begin(), shall.end() - rows}, {is.begin() + rows, is.end()}).correlation > little;
-  });
+  return followedBy(values(reference), values(measured)) > little;
 }
 
 void Settling::speedReferenceByAngle(size_t c) {

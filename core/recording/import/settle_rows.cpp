@@ -11,7 +11,22 @@
 
 namespace breakaway {
 
+namespace {
+
+/// Nine of ten are within a fifth of the middle one: a loop's, rather than how long a turn took.
+bool areAlike(const std::vector<double>& steps, double middle) {
+  constexpr double within = 0.2, most = 0.9;
+  const auto alike =
+      std::count_if(steps.begin(), steps.end(), [&](double step) { return std::abs(step - middle) < within * middle; });
+  return static_cast<double>(alike) > most * static_cast<double>(steps.size());
+}
+
+}  // namespace
+
 std::optional<size_t> Settling::sumSteps() {
+  static constexpr auto periods =
+      std::to_array<std::string_view>({"period", "loop_period", "cycle_period", "control_period", "sample_period",
+                                       "sampling_period", "sample_time", "sampling_time"});
   static constexpr auto names = std::to_array<std::string_view>(
       {"dt", "delta_t", "deltat", "delta_time", "deltatime", "time_delta", "time_diff", "time_difference", "t_diff"});
   for (size_t c = 0; c < fates_.size(); ++c) {
@@ -20,12 +35,14 @@ std::optional<size_t> Settling::sumSteps() {
     std::string name;
     for (const std::string& word : parts.words) name += (name.empty() ? "" : "_") + word;
     std::vector<double>& steps = values(c);
-    const bool known = isIn(names, name) && (parts.unit == nullptr || parts.unit->kind == UnitKind::time);
+    const bool period = isIn(periods, name) && parts.unit != nullptr;
+    const bool known = (period || isIn(names, name)) && (parts.unit == nullptr || parts.unit->kind == UnitKind::time);
     const bool goOn = std::all_of(steps.begin(), steps.end(), [](double step) { return step >= 0.0; });
     if (!known || parts.unknownUnit || !goOn || steps.size() < 2) continue;
     std::vector<double> sorted(steps.begin() + 1, steps.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
+    if (period && !areAlike(steps, *middle)) continue;
     constexpr double fewestMicroseconds = 250.0;
     const bool micros = *middle >= fewestMicroseconds;
     const char* unit = micros ? "us" : *middle >= 1.0 ? "ms" : "s";

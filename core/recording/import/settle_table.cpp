@@ -71,8 +71,10 @@ Result<Imported> Settling::run() {
   takeDrivesByValues();
   takeReferencesByValues();
   if (const auto done = takeDuty(); !done) return done.error();
-  signByDirection({"duty", "voltage_V"});
+  signByDirection({"duty"});
+  setSteadyDutyAside();
   settleVoltage();
+  signByDirection({"voltage_V"});
   for (size_t c = 0; c < choices_.size(); ++c) {
     if (isOpen(c)) {
       if (const auto done = takeOther(c); !done) return done.error();

@@ -15,6 +15,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double fewestCounts = 8.0;  // a turn
+
 /// "deg" of an angle in degrees and of a rate in degrees per second; empty for rpm, counts and what has another kind.
 std::string familyOf(const Unit* unit) {
   if (unit == nullptr || unit->needs != UnitNeeds::nothing) return {};
@@ -165,6 +167,50 @@ Result<void> Settling::needLinearUnit(size_t c) const {
                message("goes {} far and tells no unit; say what it is with --map {}", shortText(most),
                        "{\"columns\": {\"" + fate.from + "\": {\"to\": \"" + fate.to + "\", \"unit\": \"" +
                            (position ? "mm" : "mm/s") + "\"}}}")};
+}
+
+bool Settling::countsBySpeed(size_t c) {
+  const auto v = columnOf("velocity_rad_per_s");
+  if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
+  constexpr double alike = 0.95, oneTurn = 1.05, severalTurns = 1.5;
+  std::vector<double> angle = values(c);
+  auto motion = compareMotion(time_.time_s, angle, values(*v), time_.pauses);
+  std::optional<double> period;  // after which they start anew
+  if (!motion || motion->correlation < alike) {
+    period = periodOf(angle, time_.pauses);
+    if (!period) return false;
+    unwind(angle, *period, time_.pauses);
+    motion = compareMotion(time_.time_s, angle, values(*v), time_.pauses);
+  }
+  if (!motion || motion->correlation < alike) return false;
+  const double measured = motion->factor / fates_[*v].scale * turn_rad;
+  if (measured < fewestCounts || rangeOf(angle) < measured) return false;
+  const double turns = period.value_or(measured) / measured;
+  const bool whole = std::abs(std::log(turns)) < std::log(oneTurn);
+  if (!whole && turns < severalTurns) return false;
+  counts_per_rev_ = period && whole ? *period : usualCounts(measured);
+  sayCounts(c, *v, measured);
+  return true;
+}
+
+bool Settling::countsByAngle(size_t c, size_t angle) {
+  if (fates_[angle].unit.empty() || choices_[angle].name.needs != UnitNeeds::nothing) return false;
+  const auto motion = motionOf(angle, c);
+  constexpr double alike = 0.95;
+  if (!motion || motion->correlation < alike) return false;
+  const double measured = turn_rad * gear("angle_rad") / motion->factor;
+  if (measured < fewestCounts) return false;
+  counts_per_rev_ = usualCounts(measured);
+  sayCounts(c, angle, measured);
+  return true;
+}
+
+void Settling::sayCounts(size_t c, size_t beside, double measured) {
+  remarks_.push_back(message(
+      "{} is in counts, of which {} were taken for one turn, a guess: beside {} it makes {} a turn; say it with --map "
+      "{}",
+      fates_[c].from, shortText(*counts_per_rev_), fates_[beside].from, shortText(std::round(measured * 10.0) / 10.0),
+      "{\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}"));
 }
 
 }  // namespace breakaway

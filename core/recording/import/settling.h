@@ -84,6 +84,9 @@ class Settling {
   std::optional<MotionFactor> motionOf(size_t angle, size_t speed);
   /// Beside a speed whose unit is told, counts tell how many of them are one turn.
   bool countsBySpeed(size_t c);
+  /// Beside an angle whose unit is told, a speed in counts per second does.
+  bool countsByAngle(size_t c, size_t angle);
+  void sayCounts(size_t c, size_t beside, double measured);
   /// Beside a speed in counts per second an angle that goes on as fast is in counts.
   bool isCountedAsSpeed(size_t c);
   /// Where neither angle nor speed tells a unit, the factor between them may: 6 is that of degrees and rpm.
@@ -99,6 +102,8 @@ class Settling {
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
+  /// One that never changes drives nothing both ways, or up and down again and again.
+  void setSteadyDutyAside();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
   /// A position or a way per second that is nothing's in metres, and no unit is told.
@@ -118,8 +123,12 @@ class Settling {
   void settleSupply();
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
   void settleVoltage();
+  /// A torque or a current that is larger the faster it turns, as no winding's at a steady voltage is.
+  std::optional<size_t> risesWithSpeed() const;
   /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
   void doubtCurrent();
+  /// An inverter's output current that is never negative, beside its frequency, may be an effective value.
+  void doubtAmount();
   /// Kept unused, holding numbers, and neither the map nor the tool says so.
   bool isFree(size_t c) const;
   /// The same, and because its name says nothing that is known.
