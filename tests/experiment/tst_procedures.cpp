@@ -7,6 +7,7 @@
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
 #include "experiment/position_step.h"
+#include "experiment/reversal_test.h"
 #include "experiment/slow_turns.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
@@ -37,6 +38,7 @@ class TestProcedures : public QObject {
   void breakawaySweep_logsTheAngleReallyReached();
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
+  void aRotorThatSticksWhereFrictionIsHigh_isNotHeld();
 };
 
 namespace {
@@ -357,6 +359,26 @@ void TestProcedures::slowTurnsThatTakeTooLong_areLeftOut() {
   run(*drive, slow, 60.0);
   QCOMPARE(slow->state(), Procedure::State::finished);
   QVERIFY(slow->turns().empty());
+}
+
+/// What hardly breaks it loose at one place needn't do so at all others; twice as much does.
+void TestProcedures::aRotorThatSticksWhereFrictionIsHigh_isNotHeld() {
+  for (const bool held : {false, true}) {
+    ReversalTestOptions options;
+    options.current_A = 8.5;
+    options.breakaway_A = held ? 4.2 : 6.7;
+    options.highest_rad_per_s = 50.0;
+    ReversalTest test(options);
+    Sample sample;
+    for (int k = 0; test.state() != Procedure::State::failed && k < 10000; ++k) {
+      sample.time_s = 1e-3 * k;
+      static_cast<void>(test.step(sample));
+    }
+    QVERIFY(test.state() == Procedure::State::failed);
+    QCOMPARE(test.stood(), held);
+    const std::string words = test.status().failure.c_str();
+    QVERIFY2(words.find(held ? "something in its way" : "6.7 A") != std::string::npos, words.c_str());
+  }
 }
 
 QTEST_APPLESS_MAIN(TestProcedures)
