@@ -20,7 +20,7 @@ double speedAt(const StrokeTrace& trace, size_t tick, size_t half) {
   return (trace.position_m[to] - trace.position_m[from]) / (static_cast<double>(to - from) * trace.tick_s);
 }
 
-constexpr double steady = 0.35;  // part of its speed by which a stroke may swing about it
+constexpr double steadyPart = 0.35;  // part of its speed by which a stroke may swing about it
 
 /// Root mean square over the ticks [in, out) of ∫(i − a − b·t)dt, with the line a + b·t fitted to the current, without
 /// what white noise makes of it: a fifteenth of its variance a tick.
@@ -61,7 +61,7 @@ void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan
     tick = in;
     if (out < in + 2) continue;
     const double speed = width_m / (static_cast<double>(out - in) * trace.tick_s);
-    if (steadiness.perAmpere_m_per_s2 * swing_A_s(trace, in, out, steadiness.noiseRms_A) > steady * speed) continue;
+    if (steadiness.perAmpere_m_per_s2 * swing_A_s(trace, in, out, steadiness.noiseRms_A) > steadyPart * speed) continue;
     TravelBinSums& sum = sums[way > 0.0 ? 1 : 0][bin];
     for (size_t k = in; k < out; ++k) sum.current_A += trace.current_A[k];
     sum.samples += out - in;

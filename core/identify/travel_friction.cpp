@@ -13,8 +13,9 @@ namespace {
 
 constexpr double clearAcceleration = 10.0;  // standard errors of an acceleration that tells of the mass
 constexpr double travelFallDoubt = 0.05;    // of the breakaway force, where friction falls with speed
-constexpr double lawDoubt = 1e-3;           // relative, of a speed's mean force: no law of friction is exact
-constexpr double timingDoubt = 5e-3;  // relative, of what accelerates: when in a tick current and place were taken
+constexpr double travelLawDoubt = 1e-3;     // relative, of a speed's mean force: no law of friction is exact
+constexpr double travelTimingDoubt =
+    5e-3;                             // relative, of what accelerates: when in a tick current and place were taken
 constexpr double travelDoubt = 7e-4;  // relative, of a mass: ticks, and speeds as central differences
 
 /// One bin at one speed, one way; positive in the way's direction.
@@ -226,9 +227,9 @@ Levels levelsOf(const std::vector<Bin>& bins, size_t runs, const SmoothPair& cur
     if (n < 2.0) continue;
     rows /= n, force /= n;
     const double scatter_N2 = std::max(0.0, squares / n - force * force) / n;
-    const double weight =
-        1.0 / (scatter_N2 + zero_N * zero_N + std::pow(travelFallDoubt * fall / n, 2) + std::pow(lawDoubt * force, 2) +
-               std::pow(mass_kg.standardError * net / n, 2) + std::pow(timingDoubt * mass_kg.value * swing / n, 2));
+    const double weight = 1.0 / (scatter_N2 + zero_N * zero_N + std::pow(travelFallDoubt * fall / n, 2) +
+                                 std::pow(travelLawDoubt * force, 2) + std::pow(mass_kg.standardError * net / n, 2) +
+                                 std::pow(travelTimingDoubt * mass_kg.value * swing / n, 2));
     line.normal += weight * rows * rows.transpose();
     line.right += weight * force * rows;
     line.squares += weight * force * force;
