@@ -291,7 +291,12 @@ Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, con
   for (const auto& bins : ways) {
     size_t most = 0;
     for (const Bin& bin : bins) most = std::max(most, bin.size());
-    if (most < 3) return Error{"strokes", message("crossed no bin at three speeds, expected at least that")};
+    if (most < 3 && std::all_of(runs.begin(), runs.end(), tellsOfFriction))
+      return Error{"strokes", message("crossed no bin at three speeds, expected at least that")};
+    if (most < 3)
+      return Error{"strokes",
+                   message("went steadily at fewer than three speeds: at the others the axis sticks and slips, as with "
+                           "a coarse encoder")};
   }
   TravelFriction friction;
   Estimate mass_kg{options.mass_kg, options.massError_kg};

@@ -181,7 +181,12 @@ void TestTravelFriction::forceConstantsDoubt_isInEveryBin() {
 void TestTravelFriction::twoSpeeds_areRefused() {
   const auto friction = fitTravelFriction(strokesOf({0.1, 0.3}, 0.017, 3), optionsFor(0.017));
   QVERIFY(!friction);
-  QVERIFY(friction.error().message().find("three speeds") != std::string::npos);
+  QVERIFY(friction.error().message().find("crossed no bin at three speeds") != std::string::npos);
+  // A third one that went nowhere steadily.
+  auto strokes = strokesOf({0.01, 0.1, 0.3}, 0.017, 3);
+  for (auto& way : strokes[0].bins) way.assign(places, {});
+  const auto unsteady = fitTravelFriction(strokes, optionsFor(0.017));
+  QVERIFY(!unsteady && unsteady.error().message().find("sticks and slips") != std::string::npos);
 }
 
 /// Speeds at bins' ends that a coarse encoder tells by a tenth of themselves: what one bin gains of acceleration its
