@@ -20,7 +20,6 @@ class TestOtherBenches : public QObject {
   void axisPressedToItsEnd_isNoDeadEncoder();
   void deadSensorOfHeldRotor_isNoLeadOff();
   void stopThatCameInTheWay_isNamed();
-  void armThatTheCurrentDoesntLift_isNoHand();
 };
 
 namespace {
@@ -194,17 +193,6 @@ void TestOtherBenches::stopThatCameInTheWay_isNamed() {
   const Outcome outcome = jobOn("servo", change, {Known::index});
   QVERIFY(outcome.state != Procedure::State::finished);
   QVERIFY(says(outcome, "a stop, or a load, holds it the other way") || says(outcome, "something in its way"));
-}
-
-/// It hangs still while small pulses are made, stands against the voltage, and falls back without it.
-void TestOtherBenches::armThatTheCurrentDoesntLift_isNoHand() {
-  const auto change = [](Json& rig) {
-    scaleFriction(rig, 4.0);
-    rig["wiring"] = {{{"fault", "pendulum_Nm"}, {"value", 1.0}}};
-  };
-  const Outcome outcome = jobOn("servo", change, {Known::roughMotor});
-  QVERIFY(outcome.state != Procedure::State::finished);
-  QVERIFY2(says(outcome, "an arm or a load pushes it back"), outcome.words.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestOtherBenches)

@@ -11,6 +11,7 @@
 #include "experiment/slow_turns.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
+#include "experiment/wiring_check.h"
 #include "firmware_link/simulated_board.h"
 
 using namespace breakaway;
@@ -39,6 +40,7 @@ class TestProcedures : public QObject {
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
   void aRotorThatSticksWhereFrictionIsHigh_isNotHeld();
+  void whatFallsBackFromStandstill_isToldFromWhatCoasts();
 };
 
 namespace {
@@ -378,6 +380,25 @@ void TestProcedures::aRotorThatSticksWhereFrictionIsHigh_isNotHeld() {
     QCOMPARE(test.stood(), held);
     const std::string words = test.status().failure.c_str();
     QVERIFY2(words.find(held ? "something in its way" : "6.7 A") != std::string::npos, words.c_str());
+  }
+}
+
+/// A rotor that a current held up against an arm, and one that turned when the job ended.
+void TestProcedures::whatFallsBackFromStandstill_isToldFromWhatCoasts() {
+  for (const bool coasts : {false, true}) {
+    WiringCheckOptions options;
+    options.coast_s = 1.0;
+    options.count_rad = 1e-3;
+    WiringCheck check(options);
+    Sample sample;
+    sample.supply_V = 24.0;
+    for (int k = 0; k < 1500; ++k) {
+      const double t = sample.time_s = 1e-3 * k, end = std::min(t, 0.2);
+      sample.angle_rad = coasts ? 10.0 * end * (1.0 - 2.5 * end) : 0.5 + 0.5 * std::cos(std::numbers::pi * end / 0.2);
+      sample.velocity_rad_per_s = coasts && t < 0.2 ? 10.0 - 50.0 * t : 0.0;
+      static_cast<void>(check.step(sample));
+    }
+    QVERIFY2(std::abs(check.fell_rad() + (coasts ? 0.0 : 1.0)) < 1e-6, qPrintable(QString::number(check.fell_rad())));
   }
 }
 
