@@ -1,9 +1,11 @@
 #include "commission/cause_search.h"
 
+#include <cmath>
 #include <utility>
 
 #include "commission/held_beliefs.h"
 #include "commission/steps/wiring_pulses.h"
+#include "experiment/travel.h"
 
 namespace breakaway {
 
@@ -42,6 +44,16 @@ Message stopWords(const WiringFit& now, bool blocked, const Commission& known) {
                  bodyText(axis), wayText(moves(now, 1), axis));
 }
 
+/// What stood against the current and fell back without it.
+Message fallWords(double fell_rad, Axis axis) {
+  if (fell_rad == 0.0) return {};
+  return message(
+      "{} moved {} by {} as soon as nothing drove it: an arm or a load pushes it back, heavier than the current lifts; "
+      "balance or hold it, or take it off",
+      bodyText(axis), wayText(fell_rad > 0.0, axis),
+      axis == Axis::linear ? millimetresText(std::abs(fell_rad)) : degreesText(std::abs(fell_rad)));
+}
+
 }  // namespace
 
 bool leavesCauseOpen(const EarlyEnd& end, const Commission& known) {
@@ -66,6 +78,7 @@ Error CauseSearch::conclude(Trip trip, Commission& known) const {
   if (cause.empty() && status.state == Procedure::State::finished) {
     const WiringFit now = fitWiring(*check_);
     cause = wiringChange(now, known);
+    if (cause.empty()) cause = fallWords(check_->fell_rad(), known.identity.axis);
     if (cause.empty()) cause = stopWords(now, end_.trip == Trip::blocked, known);
   }
   if (cause.empty()) return end_.failure;

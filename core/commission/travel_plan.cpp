@@ -78,6 +78,7 @@ TravelSweepOptions velocitySweepOver(const Commission& axis, std::span<const dou
   }
   options.acceleration_m_per_s2 = axis.pace.acceleration_m_per_s2;
   options.run_s = run_s;
+  options.steadiness = {axis.torquePerAmpere_Nm() / axis.motor.inertia_kg_m2.value, axis.noiseRms_A};
   options.zeroing_s = sensorZeroing_s(axis);
   options.index_m = axis.indexAngle_rad.value;
   options.indexTolerance_m = toleranceOf(axis);
@@ -112,6 +113,7 @@ TravelFrictionOptions frictionOver(const Commission& axis) {
   TravelFrictionOptions options;
   options.forceConstant_N_per_A = axis.torquePerAmpere_Nm();
   options.mass_kg = axis.motor.inertia_kg_m2.value;
+  options.massError_kg = axis.identified.shownInertia_kg_m2.standardError;
   options.noiseRms_A = axis.noiseRms_A;
   options.zeroError_A = axis.runsZeroError_A;
   options.scaleError = torqueScaleError(axis);

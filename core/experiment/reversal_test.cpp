@@ -25,6 +25,13 @@ Command ReversalTest::run(const Sample& sample) {
     if (++done_ > options_.reversals) finish();
   } else if (now_s_ - turned_s_ > options_.most_s) {
     stood_ = std::abs(sample.velocity_rad_per_s) < standing * options_.highest_rad_per_s;
+    constexpr double anywhere = 1.5;  // times the breakaway current of one place
+    if (stood_ && options_.current_A < anywhere * options_.breakaway_A) {
+      stood_ = false;
+      fail(message("{:.3g} A don't break the rotor loose everywhere, where it was tried it takes {:.3g} A",
+                   options_.current_A, options_.breakaway_A));
+      return {};
+    }
     if (stood_)
       fail(message("the rotor does not move {} at {:.3g} A; is something in its way?", wayText(way_ > 0.0),
                    options_.current_A));

@@ -10,6 +10,7 @@ namespace breakaway {
 
 struct ReversalTestOptions {
   double current_A = 0.0;          ///< of either sign in turn
+  double breakaway_A = 0.0;        ///< that it took where it was tried; elsewhere it may take half as much again
   double highest_rad_per_s = 0.0;  ///< the current is turned round at 70 to 100 % of it
   size_t reversals = 20;
   double block_s = 0.005;
@@ -21,7 +22,7 @@ class ReversalTest : public TimedProcedure {
  public:
   explicit ReversalTest(const ReversalTestOptions& options);
   const std::vector<SpinBlock>& blocks() const { return blocks_; }
-  /// Whether it failed because the rotor stood.
+  /// Whether it failed because the rotor stood though the current breaks it loose anywhere.
   bool stood() const { return stood_; }
 
  protected:

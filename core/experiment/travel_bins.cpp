@@ -20,9 +20,30 @@ double speedAt(const StrokeTrace& trace, size_t tick, size_t half) {
   return (trace.position_m[to] - trace.position_m[from]) / (static_cast<double>(to - from) * trace.tick_s);
 }
 
+constexpr double steadyPart = 0.35;  // part of its speed by which a stroke may swing about it
+
+/// Root mean square over the ticks [in, out) of ∫(i − a − b·t)dt, with the line a + b·t fitted to the current, without
+/// what white noise makes of it: a fifteenth of its variance a tick.
+double swing_A_s(const StrokeTrace& trace, size_t in, size_t out, double noiseRms_A) {
+  const auto n = static_cast<double>(out - in);
+  const double middle = 0.5 * (n - 1.0);
+  double mean = 0.0, moment = 0.0;
+  for (size_t k = in; k < out; ++k) {
+    mean += trace.current_A[k] / n;
+    moment += (static_cast<double>(k - in) - middle) * trace.current_A[k];
+  }
+  const double slope = moment / (n * (n * n - 1.0) / 12.0);
+  double integral = 0.0, squares = 0.0;
+  for (size_t k = in; k < out; ++k) {
+    integral += (trace.current_A[k] - mean - slope * (static_cast<double>(k - in) - middle)) * trace.tick_s;
+    squares += integral * integral;
+  }
+  return std::sqrt(std::max(0.0, squares / n - std::pow(noiseRms_A * trace.tick_s, 2) * n / 15.0));
+}
+
 }  // namespace
 
-void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s,
+void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s, const Steadiness& steadiness,
                std::array<std::vector<TravelBinSums>, 2>& sums) {
   for (auto& way : sums) way.resize(bins.count);
   const size_t ticks = trace.position_m.size();
@@ -39,6 +60,8 @@ void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan
     if (out + half >= ticks) break;
     tick = in;
     if (out < in + 2) continue;
+    const double speed = width_m / (static_cast<double>(out - in) * trace.tick_s);
+    if (steadiness.perAmpere_m_per_s2 * swing_A_s(trace, in, out, steadiness.noiseRms_A) > steadyPart * speed) continue;
     TravelBinSums& sum = sums[way > 0.0 ? 1 : 0][bin];
     for (size_t k = in; k < out; ++k) sum.current_A += trace.current_A[k];
     sum.samples += out - in;

@@ -28,10 +28,18 @@ struct StrokeTrace {
   }
 };
 
+/// What tells whether a stroke went steadily.
+struct Steadiness {
+  double perAmpere_m_per_s2 = 0.0;  ///< that the axis speeds up by; 0: nothing is told
+  double noiseRms_A = 0.0;          ///< of one sample of the current
+};
+
 /// Adds to each bin that the stroke crossed from end to end its samples: current, speed, and by how much the speed
 /// grew, from the speeds at the bin's ends as central differences over ± `halfSpan_s`. Bins in which it stood or turned
-/// are left out.
-void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s,
+/// are left out, and those in which its speed swung by more than a third of itself, as the swings of the current off
+/// its straight line move the axis: one that creeps and jumps from count to count passes through all speeds, and its
+/// mean force isn't that of its mean speed.
+void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s, const Steadiness& steadiness,
                std::array<std::vector<TravelBinSums>, 2>& sums);
 
 }  // namespace breakaway

@@ -85,17 +85,28 @@ Command TravelSearch::feel(const Sample& sample) {
   return move(way_);
 }
 
+/// It went to the end where it is held, or hardly moved at all.
+Message TravelSearch::heldWords() const {
+  if (stage_ == Stage::onwards) return message("the axis doesn't leave its end again; is it clamped?");
+  return message(
+      "the axis went {} to its end with up to {:.3g} A, but {:.3g} A don't move it {} again: a load presses it there, "
+      "or "
+      "something holds it; hold or balance the load, or take it off",
+      wayText(way_ < 0.0, Axis::linear), there_A_, limit_A_, wayText(way_ > 0.0, Axis::linear));
+}
+
 Command TravelSearch::towardsEnd(const Sample& sample) {
   if (!getsNoFurther(sample)) return move(way_);
   if (!left_) {
     // Friction may be higher here than where it began to move.
-    if (limit_A_ >= options_.mostLimit_A) fail(message("the axis doesn't leave its end again; is it clamped?"));
+    if (limit_A_ >= options_.mostLimit_A) fail(heldWords());
     limit_A_ = std::min(options_.mostLimit_A, options_.growth * limit_A_);
     pause(sample);
     return {};
   }
   if (stage_ == Stage::onwards) {
     firstEnd_m_ = end_m(sample);
+    there_A_ = limit_A_;
     way_ = -way_;
     enter(Stage::back, sample);
     pause(sample);

@@ -23,7 +23,8 @@ struct TravelSearchOptions {
 /// Tries both ways with a growing current limit until the axis moves, goes on that way until it gets no further, and
 /// back to the other end; then to the middle. One that bounces at its stop is there. An axis that stands at a stop thus
 /// leaves it before anything pushes hard. Fails in words when it moves neither way up to mostLimit_A, when it doesn't
-/// leave an end again, when the ends lie closer than leastTravel_m, and at the time-out.
+/// leave an end again, as under a load that presses it there, when the ends lie closer than leastTravel_m, and at the
+/// time-out.
 class TravelSearch : public TimedProcedure {
  public:
   explicit TravelSearch(const TravelSearchOptions& options);
@@ -47,6 +48,7 @@ class TravelSearch : public TimedProcedure {
   bool getsNoFurther(const Sample& sample);
   double end_m(const Sample& sample) const;
   void pause(const Sample& sample);
+  Message heldWords() const;
   Command move(double way) const { return {Command::Mode::velocity, way * options_.speed_m_per_s, limit_A_, false}; }
 
   TravelSearchOptions options_;
@@ -54,6 +56,7 @@ class TravelSearch : public TimedProcedure {
   Travel travel_;
   Glide glide_;
   double motion_m_ = 0.0, limit_A_ = 0.0, moving_A_ = 0.0, way_ = 1.0;
+  double there_A_ = 0.0;  ///< the limit, on the way to the first end
   double pauseEnd_s_ = 0.0;
   double anchor_m_ = 0.0, anchor_s_ = 0.0, far_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0;
   double furthest_m_ = 0.0;  ///< in this stage's way

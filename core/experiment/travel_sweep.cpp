@@ -122,7 +122,7 @@ void TravelSweep::keepCrossed(const Sample& sample) {
   if (sample.time_s - kept_s_ < keepEvery_s) return;
   kept_s_ = sample.time_s;
   TravelRun crossed = now_;
-  addStroke(trace_, options_.bins, crossed.halfSpan_s, crossed.bins);
+  addStroke(trace_, options_.bins, crossed.halfSpan_s, options_.steadiness, crossed.bins);
   const auto any = [](const std::vector<TravelBinSums>& way) {
     return std::any_of(way.begin(), way.end(), [](const TravelBinSums& sum) { return sum.samples > 0; });
   };
@@ -139,7 +139,7 @@ void TravelSweep::endStroke(const Sample& sample) {
     enter(Stage::forth, sample);
     return;
   }
-  addStroke(trace_, options_.bins, now_.halfSpan_s, now_.bins);
+  addStroke(trace_, options_.bins, now_.halfSpan_s, options_.steadiness, now_.bins);
   if (stage_ == Stage::forth) {
     enter(Stage::back, sample);
     return;

@@ -21,6 +21,7 @@ struct TravelSweepOptions {
   double run_s = 25.0;  ///< at each speed, at least one stroke each way
   double zeroing_s = 0.6;
   double index_m = 0.0, indexTolerance_m = 0.0;  ///< from homing; a tolerance of 0: no index
+  Steadiness steadiness;                         ///< by which bins count
   double stall_s = 2.0;
   double mostDrift_A = 0.1;
 };

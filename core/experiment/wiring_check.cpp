@@ -14,6 +14,7 @@ constexpr double longer = 3.0;        // pulses, where none moved it
 constexpr double still_s = 0.02;      // without a count is at rest
 constexpr double stillPulses = 5.0;   // of a pulse, part of what is motion, that a slower rotor stays below in it
 constexpr double stands_s = 0.5;      // likewise, of what coasts
+constexpr double fellFar = 4.0;       // times what is its own, that only a load moves it by from standstill
 constexpr double mostCoast_s = 20.0;  // a load drives what still turns
 constexpr double gained = 1.1;        // of what it went before
 constexpr size_t enoughFaster = 2;    // stretches in a row
@@ -40,6 +41,8 @@ Command WiringCheck::run(const Sample& sample) {
     level_V_ = options_.start_V;
     way_ = -1.0;
     begin(options_.coast_s > 0.0 ? Stage::coast : Stage::brake, sample);  // what went before may have left it turning
+    coastStart_rad_ = sample.angle_rad;
+    coastStartSpeed_rad_per_s_ = std::abs(sample.velocity_rad_per_s);
   }
   last_s_ = elapsed_s(sample);
   mostSupply_V_ = std::max(mostSupply_V_, sample.supply_V);
@@ -97,7 +100,12 @@ Command WiringCheck::coast(const Sample& sample) {
     anchor_s_ = sample.time_s;
   }
   const bool over = gone_s > options_.coast_s && sample.time_s - anchor_s_ > stands_s;
-  if (over || gone_s > mostCoast_s) begin(Stage::brake, sample);
+  if (over || gone_s > mostCoast_s) {
+    const double moved_rad = sample.angle_rad - coastStart_rad_, took_s = anchor_s_ - stageStart_s_;
+    const double byItself_rad = std::max(fellFar * options_.own_rad, 2.0 * coastStartSpeed_rad_per_s_ * took_s);
+    if (std::abs(moved_rad) > byItself_rad) fell_rad_ = moved_rad;
+    begin(Stage::brake, sample);
+  }
   return {};
 }
 

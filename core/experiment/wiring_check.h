@@ -75,6 +75,8 @@ class WiringCheck : public TimedProcedure {
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }
+  /// By how far it moved in coast_s though it had stood: what it was held up against let go of it. 0: not at all.
+  double fell_rad() const { return fell_rad_; }
 
  protected:
   Command run(const Sample& sample) override;
@@ -146,9 +148,10 @@ class WiringCheck : public TimedProcedure {
   bool turnedRound_ = false;
   size_t stretches_ = 0;
   double steady_rad_ = 0.0;  ///< travel in the last that was compared
-  size_t faster_ = 0;        ///< brake_s in a row in which what coasted moved further than before
-  size_t unslowed_ = 0;      ///< brake_s in a row in which what was braked moved no less than before
-  size_t falls_ = 0;         ///< pulses whose current fell while the encoder stood
+  double coastStart_rad_ = 0.0, coastStartSpeed_rad_per_s_ = 0.0, fell_rad_ = 0.0;
+  size_t faster_ = 0;    ///< brake_s in a row in which what coasted moved further than before
+  size_t unslowed_ = 0;  ///< brake_s in a row in which what was braked moved no less than before
+  size_t falls_ = 0;     ///< pulses whose current fell while the encoder stood
   double firstFall_V_ = 0.0;
   size_t along_ = 0, against_ = 0;
   struct Moments {

@@ -1,7 +1,9 @@
 #include "identify/smooth_pair.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 namespace breakaway {
 
@@ -81,6 +83,37 @@ void chooseKernels(const Problem& problem, Kernel (&kernels)[2]) {
   }
 }
 
+/// One curve at the places, over all spreads that it might have, each as likely as the measured pairs are under it:
+/// where they can't show how far it swings, it may swing all the same.
+std::vector<Estimate> overSpreads(const Problem& problem, const Kernel (&chosen)[2], Index c) {
+  const auto n = static_cast<Index>(problem.place.size());
+  constexpr size_t tries = std::size(spreads);
+  double likelihood[tries], most = -1e300;
+  Eigen::MatrixXd means(n, tries), variances(n, tries);
+  for (size_t t = 0; t < tries; ++t) {
+    Kernel kernels[2] = {chosen[0], chosen[1]};
+    kernels[c].spread = spreads[t];
+    likelihood[t] = logLikelihood(problem, kernels);
+    most = std::max(most, likelihood[t]);
+    const Eigen::MatrixXd K = covarianceOf(problem, kernels);
+    const Eigen::LLT<Eigen::MatrixXd> factor = (K + problem.noise).llt();
+    const Eigen::MatrixXd half = factor.matrixL().solve(K.middleCols(c * n, n));
+    const auto column = static_cast<Index>(t);
+    means.col(column) = half.transpose() * factor.matrixL().solve(problem.measured);
+    variances.col(column) = K.diagonal().segment(c * n, n) - half.colwise().squaredNorm().transpose();
+  }
+  double sum = 0.0;
+  Eigen::VectorXd weights(tries);
+  for (size_t t = 0; t < tries; ++t) sum += weights[static_cast<Index>(t)] = std::exp(likelihood[t] - most);
+  weights /= sum;
+  const Eigen::VectorXd mean = means * weights;
+  const Eigen::VectorXd apart = (means.colwise() - mean).array().square().matrix() * weights;
+  const Eigen::VectorXd variance = variances * weights + apart;
+  std::vector<Estimate> curve;
+  for (Index k = 0; k < n; ++k) curve.push_back({mean[k], rootOf(variance[k])});
+  return curve;
+}
+
 }  // namespace
 
 SmoothPair smoothPair(const std::vector<double>& place, const std::vector<Eigen::Vector2d>& measured,
@@ -109,8 +142,7 @@ SmoothPair smoothPair(const std::vector<double>& place, const std::vector<Eigen:
   const Eigen::MatrixXd spread = K - K * factor.solve(K);
   SmoothPair result;
   for (Index c = 0; c < 2; ++c) {
-    auto& curve = c == 0 ? result.first : result.second;
-    for (Index k = 0; k < n; ++k) curve.push_back({mean[c * n + k], rootOf(spread(c * n + k, c * n + k))});
+    (c == 0 ? result.first : result.second) = overSpreads(problem, kernels, c);
     const Eigen::VectorXd share = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
     const double variance = share.dot(spread.block(c * n, c * n, n, n) * share);
     Estimate& average = c == 0 ? result.firstMean : result.secondMean;

@@ -15,6 +15,7 @@ namespace breakaway {
 struct TravelFrictionOptions {
   double forceConstant_N_per_A = 0.0;  ///< per ampere as the sensor shows it
   double mass_kg = 0.0;                ///< as identified before
+  double massError_kg = 0.0;           ///< its standard error; 0: the strokes alone tell
   double noiseRms_A = 0.0;             ///< of one sample of the current
   double zeroError_A = 0.0;            ///< standard error of the current sensor's zero at each speed
   double scaleError = 0.0;             ///< relative standard error of the force constant
@@ -32,12 +33,16 @@ struct TravelFriction {
 
 /// Per bin and way the force less what accelerates, Kf·i − m·a, is fitted over the speeds by C·(1 − e) + B·v + S·e with
 /// e = exp(−(v/v_s)²) and one v_s for all; m is what the same bins passed at different accelerations say (their
-/// friction is projected out). What is left in the bins sets the noise's scale. C and B are then smoothed over the
-/// travel (smooth_pair.h), and C is freed of what a bin's mean flattens. Errors: a way with fewer than three speeds.
+/// friction is projected out, and so is what rounded counts make of accelerations), joined with what was known. What is
+/// left in the bins sets the noise's scale. C and B are then smoothed over the travel (smooth_pair.h), and C is freed
+/// of what a bin's mean flattens. Errors: a way with fewer than three speeds.
 Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, const TravelFrictionOptions& options);
 
-/// Current that keeps it moving in the slowest run, per bin, by Way, positive in the way's direction; bins that the run
-/// left out take their neighbour's. Error: there is no run, or it left out a whole way.
+/// Whether the run crossed bins both ways; one that went steadily nowhere didn't.
+bool tellsOfFriction(const TravelRun& run);
+
+/// Current that keeps it moving in the slowest run that tells of friction, per bin, by Way, positive in the way's
+/// direction; bins that the run left out take their neighbour's. Error: there is no run, or it left out a whole way.
 Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<TravelRun>& runs);
 
 }  // namespace breakaway

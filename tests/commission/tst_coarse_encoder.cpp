@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -6,6 +7,7 @@
 #include "commission/commission.h"
 #include "commission/sweep_layout.h"
 #include "firmware_link/simulated_board.h"
+#include "support/linear_rig.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -15,6 +17,7 @@ class TestCoarseEncoder : public QObject {
  private slots:
   void bins_holdWholeCounts();
   void fewCounts_areHomedAndHeld();
+  void anAxisThatJumpsFromCountToCount_tellsItsViscousFriction();
 };
 
 void TestCoarseEncoder::bins_holdWholeCounts() {
@@ -38,11 +41,41 @@ void TestCoarseEncoder::fewCounts_areHomedAndHeld() {
   CommissionOptions options;
   options.keepRecordings = false;
   options.sweeps.bins = 32;
-  options.sweeps.speedRun_s = 4.0;
+  options.sweeps.speedRun_s = 12.0;
   const auto done = commission(**drive, options);
   QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
   QCOMPARE(done->runs.size(), size_t{12});
   QVERIFY(std::abs(done->map.coulombAverage_Nm.value - 0.017) < 0.03 * 0.017);
+}
+
+/// Slow strokes creep and jump: their mean forces had been taken for those of their mean speeds.
+void TestCoarseEncoder::anAxisThatJumpsFromCountToCount_tellsItsViscousFriction() {
+  test::LinearAxis axis;
+  axis.length_m = 0.3;
+  axis.counts_per_m = 4000.0;
+  axis.mass_kg = 3.8;
+  axis.coulomb_N = 8.3;
+  axis.forceConstant_N_per_A = 18.5;
+  axis.resistance_ohm = 2.0;
+  axis.supply_V = 12.0;
+  test::TemporaryFolder folder;
+  auto drive = openDrive("simulated:" + folder.write("axis.rig.json", test::linearRigText(axis, 7)), 1);
+  QVERIFY(drive.ok());
+  CommissionOptions options;
+  options.keepRecordings = false;
+  options.sweeps.bins = 40;
+  options.sweeps.speedRun_s = 12.0;
+  const auto done = commission(**drive, options);
+  QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
+  const double viscous = 0.6 * axis.coulomb_N * axis.forceConstant_N_per_A / axis.supply_V;
+  const Estimate found = done->map.viscousAverage_Nm_s_per_rad;
+  const QString words = QString("%1 ± %2 for %3").arg(found.value).arg(found.standardError).arg(viscous);
+  QVERIFY2(std::abs(found.value - viscous) < 0.1 * viscous, qPrintable(words));
+  QVERIFY2(std::abs(found.value - viscous) < 3.0 * found.standardError, qPrintable(words));
+  const auto leftOut = [](const Message& remark) {
+    return std::string(remark.c_str()).find("the axis sticks and slips") != std::string::npos;
+  };
+  QVERIFY(std::any_of(done->remarks.begin(), done->remarks.end(), leftOut));
 }
 
 QTEST_APPLESS_MAIN(TestCoarseEncoder)

@@ -7,9 +7,11 @@
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
 #include "experiment/position_step.h"
+#include "experiment/reversal_test.h"
 #include "experiment/slow_turns.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
+#include "experiment/wiring_check.h"
 #include "firmware_link/simulated_board.h"
 
 using namespace breakaway;
@@ -37,6 +39,8 @@ class TestProcedures : public QObject {
   void breakawaySweep_logsTheAngleReallyReached();
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
+  void aRotorThatSticksWhereFrictionIsHigh_isNotHeld();
+  void whatFallsBackFromStandstill_isToldFromWhatCoasts();
 };
 
 namespace {
@@ -357,6 +361,45 @@ void TestProcedures::slowTurnsThatTakeTooLong_areLeftOut() {
   run(*drive, slow, 60.0);
   QCOMPARE(slow->state(), Procedure::State::finished);
   QVERIFY(slow->turns().empty());
+}
+
+/// What hardly breaks it loose at one place needn't do so at all others; twice as much does.
+void TestProcedures::aRotorThatSticksWhereFrictionIsHigh_isNotHeld() {
+  for (const bool held : {false, true}) {
+    ReversalTestOptions options;
+    options.current_A = 8.5;
+    options.breakaway_A = held ? 4.2 : 6.7;
+    options.highest_rad_per_s = 50.0;
+    ReversalTest test(options);
+    Sample sample;
+    for (int k = 0; test.state() != Procedure::State::failed && k < 10000; ++k) {
+      sample.time_s = 1e-3 * k;
+      static_cast<void>(test.step(sample));
+    }
+    QVERIFY(test.state() == Procedure::State::failed);
+    QCOMPARE(test.stood(), held);
+    const std::string words = test.status().failure.c_str();
+    QVERIFY2(words.find(held ? "something in its way" : "6.7 A") != std::string::npos, words.c_str());
+  }
+}
+
+/// A rotor that a current held up against an arm, and one that turned when the job ended.
+void TestProcedures::whatFallsBackFromStandstill_isToldFromWhatCoasts() {
+  for (const bool coasts : {false, true}) {
+    WiringCheckOptions options;
+    options.coast_s = 1.0;
+    options.count_rad = 1e-3;
+    WiringCheck check(options);
+    Sample sample;
+    sample.supply_V = 24.0;
+    for (int k = 0; k < 1500; ++k) {
+      const double t = sample.time_s = 1e-3 * k, end = std::min(t, 0.2);
+      sample.angle_rad = coasts ? 10.0 * end * (1.0 - 2.5 * end) : 0.5 + 0.5 * std::cos(std::numbers::pi * end / 0.2);
+      sample.velocity_rad_per_s = coasts && t < 0.2 ? 10.0 - 50.0 * t : 0.0;
+      static_cast<void>(check.step(sample));
+    }
+    QVERIFY2(std::abs(check.fell_rad() + (coasts ? 0.0 : 1.0)) < 1e-6, qPrintable(QString::number(check.fell_rad())));
+  }
 }
 
 QTEST_APPLESS_MAIN(TestProcedures)

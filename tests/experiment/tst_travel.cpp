@@ -22,6 +22,7 @@ class TestTravel : public QObject {
   void bothEnds_areFeltWhereverTheAxisStands();
   void oneThatHuntsAroundTheMiddle_isThere();
   void aClampedAxis_isToldInWords();
+  void aLoadThatPressesItAgainstItsEnd_isNamed();
   void troubles_endStoppedAndInWords_data();
   void troubles_endStoppedAndInWords();
   void anInterruptedJob_goesOnWhereItWas_data();
@@ -159,6 +160,26 @@ void TestTravel::aClampedAxis_isToldInWords() {
   QVERIFY(!done);
   QVERIFY2(done.error().message().find("01-wiring: the axis doesn't move") != std::string::npos,
            done.error().message().c_str());
+}
+
+/// A load that comes on the way: it goes forwards with little current, and not back with all of it.
+void TestTravel::aLoadThatPressesItAgainstItsEnd_isNamed() {
+  TravelSearchOptions options;
+  options.mostLimit_A = 5.0;
+  options.firstLimit_A = 1.0;
+  TravelSearch search(options);
+  Sample sample;
+  for (int k = 0; search.state() != Procedure::State::failed && k < 60000; ++k) {
+    sample.time_s = 1e-3 * k;
+    const Command command = search.step(sample);
+    const bool forwards = command.mode == Command::Mode::velocity && command.target > 0.0;
+    if (forwards) sample.angle_rad = std::min(0.12, sample.angle_rad + 1e-3 * command.target);
+  }
+  QVERIFY(search.state() == Procedure::State::failed);
+  QCOMPARE(
+      std::string(search.status().failure.c_str()),
+      std::string("the axis went forwards to its end with up to 2 A, but 5 A don't move it backwards again: a load "
+                  "presses it there, or something holds it; hold or balance the load, or take it off"));
 }
 
 void TestTravel::troubles_endStoppedAndInWords_data() {

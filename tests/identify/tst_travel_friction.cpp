@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "experiment/travel_bins.h"
 #include "identify/smooth_pair.h"
 #include "identify/travel_friction.h"
 
@@ -18,6 +19,9 @@ class TestTravelFriction : public QObject {
   void wavesOfFewBins_arentFlattened();
   void forceConstantsDoubt_isInEveryBin();
   void twoSpeeds_areRefused();
+  void coarseCounts_dontMakeFriction();
+  void creepAndJumps_areNoSpeed_data();
+  void creepAndJumps_areNoSpeed();
 };
 
 namespace {
@@ -177,7 +181,87 @@ void TestTravelFriction::forceConstantsDoubt_isInEveryBin() {
 void TestTravelFriction::twoSpeeds_areRefused() {
   const auto friction = fitTravelFriction(strokesOf({0.1, 0.3}, 0.017, 3), optionsFor(0.017));
   QVERIFY(!friction);
-  QVERIFY(friction.error().message().find("three speeds") != std::string::npos);
+  QVERIFY(friction.error().message().find("crossed no bin at three speeds") != std::string::npos);
+  // A third one that went nowhere steadily.
+  auto strokes = strokesOf({0.01, 0.1, 0.3}, 0.017, 3);
+  for (auto& way : strokes[0].bins) way.assign(places, {});
+  const auto unsteady = fitTravelFriction(strokes, optionsFor(0.017));
+  QVERIFY(!unsteady && unsteady.error().message().find("sticks and slips") != std::string::npos);
+}
+
+/// Speeds at bins' ends that a coarse encoder tells by a tenth of themselves: what one bin gains of acceleration its
+/// neighbour loses, and the slope over the speeds is none the worse.
+void TestTravelFriction::coarseCounts_dontMakeFriction() {
+  constexpr double mass = 1.8, count_m = 5e-5;
+  TravelFrictionOptions options = optionsFor(0.017);
+  options.mass_kg = mass;
+  options.count_m = count_m;
+  double worst = 0.0, held = 0.0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    auto strokes = strokesOf({0.05, 0.1, 0.2, 0.35, 0.5}, 0.017, seed);
+    Noise noise(100 + seed);
+    for (TravelRun& run : strokes) {
+      const double speedError = count_m / std::sqrt(6.0) / (2.0 * run.halfSpan_s);
+      for (auto& way : run.bins) {
+        for (size_t pass = 0; pass < 20; ++pass) {
+          double before = speedError * noise.normal();
+          for (TravelBinSums& sum : way) {
+            const double after = speedError * noise.normal();
+            sum.acceleration_m_per_s2 += (after - before) / options.tick_s;
+            before = after;
+          }
+        }
+      }
+    }
+    const auto friction = fitTravelFriction(strokes, options);
+    QVERIFY2(friction.ok(), friction ? "" : friction.error().message().c_str());
+    for (const MovingFriction& way : friction->moving) {
+      double off = 0.0;
+      for (size_t k = 0; k < places; ++k) {
+        const Estimate& one = way.viscous_Nm_s_per_rad[k];
+        off += (one.value / viscousAt(at(k)) - 1.0) / places;
+        held += std::abs(one.value - viscousAt(at(k))) < 1.96 * one.standardError ? 1.0 / (8.0 * places) : 0.0;
+      }
+      worst = std::max(worst, std::abs(off));
+    }
+  }
+  QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
+  QVERIFY2(held > 0.85, qPrintable(QString::number(held)));
+}
+
+void TestTravelFriction::creepAndJumps_areNoSpeed_data() {
+  QTest::addColumn<double>("jump_m_per_s");
+  QTest::addColumn<bool>("counts");
+  QTest::newRow("steady, with noise") << 0.0 << true;
+  QTest::newRow("a tenth to and fro") << 0.001 << true;
+  QTest::newRow("creeps and jumps") << 0.03 << false;
+}
+
+/// A stroke at 10 mm/s whose speed rises for a fifth of each count by so much, and is less in between; friction's slope
+/// over the place is no swing.
+void TestTravelFriction::creepAndJumps_areNoSpeed() {
+  QFETCH(double, jump_m_per_s);
+  QFETCH(bool, counts);
+  constexpr double speed = 0.01, perAmpere = 5.0, noise_A = 0.02, tick_s = 2e-4;
+  constexpr size_t period = 75, quick = 15;  // ticks
+  Noise noise(4);
+  StrokeTrace trace;
+  trace.tick_s = tick_s;
+  double at_m = 0.0, before = speed;
+  for (size_t k = 0; at_m < 0.03; ++k) {
+    const bool jumps = k % period < quick;
+    const double now = speed + (jumps ? jump_m_per_s : -jump_m_per_s * quick / (period - quick));
+    at_m += now * tick_s;
+    trace.position_m.push_back(std::floor(at_m / 1.5e-4) * 1.5e-4);
+    trace.current_A.push_back(0.4 + 20.0 * at_m + (now - before) / tick_s / perAmpere + noise_A * noise.normal());
+    before = now;
+  }
+  std::array<std::vector<TravelBinSums>, 2> sums;
+  addStroke(trace, {0.003, 0.027, 8}, 0.005, {perAmpere, noise_A}, sums);
+  for (const TravelBinSums& sum : sums[1]) QCOMPARE(sum.samples > 0, counts);
+  TravelRun run;
+  run.bins = {sums[1], sums[1]};
+  QCOMPARE(tellsOfFriction(run), counts);
 }
 
 QTEST_APPLESS_MAIN(TestTravelFriction)

@@ -33,6 +33,10 @@ class Reversal : public Step {
     const double slope = Kt * current_A_ / J, free = board.supply_V / motor.backEmfConstant_V_s_per_rad.value;
     ReversalTestOptions options;
     options.current_A = current_A_;
+    if (on.known.wiring) {
+      for (const auto& breakaway : on.known.wiring->breakaway_A)
+        options.breakaway_A = std::max(options.breakaway_A, breakaway ? breakaway->value : 0.0);
+    }
     options.highest_rad_per_s =
         std::min(0.5 * free, std::max(0.2 * slope, std::sqrt(turnsToSpeed * 4.0 * std::numbers::pi * slope)));
     const double rounding_rad = turn_rad / board.countsPerRev / std::sqrt(6.0);

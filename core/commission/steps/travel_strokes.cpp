@@ -6,6 +6,7 @@
 #include "commission/sweep_layout.h"
 #include "commission/travel_plan.h"
 #include "commission/travel_survey.h"
+#include "identify/travel_friction.h"
 
 namespace breakaway {
 
@@ -13,6 +14,13 @@ namespace {
 
 // In an order in which speed and time have nothing to do with each other.
 constexpr double ownParts[] = {0.2, 0.7, 0.03, 1.0, 0.08, 0.012, 0.45};
+
+void remarkUnsteady(Commission& known) {
+  for (const TravelRun& run : known.strokes) {
+    if (!tellsOfFriction(run))
+      known.remark(message("At {:.3g} m/s the axis sticks and slips; that speed was left out.", run.target_m_per_s));
+  }
+}
 
 class Strokes : public Step {
  public:
@@ -50,6 +58,7 @@ class Strokes : public Step {
     const auto friction = fitTravelFriction(known.strokes, frictionOver(known));
     if (!friction) return friction.error();
     takeTravelFriction(*friction, on.options.bench, known);
+    remarkUnsteady(known);
     return StepEnd::over;
   }
 
