@@ -16,7 +16,7 @@ struct FitOptions {
   double tolerance = 1e-6;            ///< relative fall of the cost at which it stops
   bool exact = false;                 ///< Jacobians by simulation, not by the linearised motion
   std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
-  std::optional<Weights> weights;     ///< another fit's, for squares that compare with its; or else of the start's errors
+  std::optional<Weights> weights;  ///< another fit's, for squares that compare with its; or else of the start's errors
   std::stop_token stop;
 };
 
