@@ -83,16 +83,16 @@ void chooseKernels(const Problem& problem, Kernel (&kernels)[2]) {
   }
 }
 
-/// One curve at the places, over all spreads that it might have, each as likely as the measured pairs are under it:
-/// where they can't show how far it swings, it may swing all the same.
-std::vector<Estimate> overSpreads(const Problem& problem, const Kernel (&chosen)[2], Index c) {
+/// One curve at the places, over all spreads and ways that it might have, each as likely as the measured pairs are under
+/// it: where they can't show how far or how finely it swings, it may swing all the same.
+std::vector<Estimate> overKernels(const Problem& problem, const Kernel (&chosen)[2], Index c) {
   const auto n = static_cast<Index>(problem.place.size());
-  constexpr size_t tries = std::size(spreads);
+  constexpr size_t tries = std::size(spreads) * std::size(lengths);
   double likelihood[tries], most = -1e300;
   Eigen::MatrixXd means(n, tries), variances(n, tries);
   for (size_t t = 0; t < tries; ++t) {
     Kernel kernels[2] = {chosen[0], chosen[1]};
-    kernels[c].spread = spreads[t];
+    kernels[c] = {spreads[t % std::size(spreads)], lengths[t / std::size(spreads)]};
     likelihood[t] = logLikelihood(problem, kernels);
     most = std::max(most, likelihood[t]);
     const Eigen::MatrixXd K = covarianceOf(problem, kernels);
@@ -142,7 +142,7 @@ SmoothPair smoothPair(const std::vector<double>& place, const std::vector<Eigen:
   const Eigen::MatrixXd spread = K - K * factor.solve(K);
   SmoothPair result;
   for (Index c = 0; c < 2; ++c) {
-    (c == 0 ? result.first : result.second) = overSpreads(problem, kernels, c);
+    (c == 0 ? result.first : result.second) = overKernels(problem, kernels, c);
     const Eigen::VectorXd share = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
     const double variance = share.dot(spread.block(c * n, c * n, n, n) * share);
     Estimate& average = c == 0 ? result.firstMean : result.secondMean;
