@@ -162,6 +162,8 @@ std::optional<SearchResult> Adoption::bestTwo(const FitResult& base, const std::
   double least = limits_.half * mean(tried.front().fit.windowSquares);
   for (size_t one = 0; one < tried.size(); ++one) {
     for (size_t other = one + 1; other < tried.size(); ++other) {
+      // A push does nothing like any other: it takes up what its own stretch errs by, whatever that is.
+      if (tried[one].effect->happensOnce() || tried[other].effect->happensOnce()) continue;
       Model both = tried[one].fit.model;
       const auto& further = tried[other].fit.model.effects;
       both.effects.insert(both.effects.end(), further.begin(), further.end());
