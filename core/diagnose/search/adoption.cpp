@@ -151,9 +151,9 @@ FitResult Adoption::toItsEnd(FitResult fit, double before) const {
   return fit;
 }
 
-/// Where the best effect alone leaves it far off, the best two of those tried, if together they leave less than half of
-/// what each leaves alone: what two do alike, such as a gear's loss and a drive's that both take from large torques,
-/// one of them may stand for.
+/// Where the best effect alone leaves it far off, the best two of those tried that each take half of the base's error
+/// away, if together they leave less than half of what the better one leaves: what two do alike, such as a gear's loss
+/// and a drive's that both take from large torques, one of them may stand for.
 std::optional<SearchResult> Adoption::bestTwo(const FitResult& base, const std::vector<Tried>& tried) const {
   if (tried.size() < 2 || remembers(tried.front().fit.model) ||
       fits_.worth().floors(tried.front().fit) <= limits_.farOff)
@@ -163,7 +163,8 @@ std::optional<SearchResult> Adoption::bestTwo(const FitResult& base, const std::
   for (size_t one = 0; one < tried.size(); ++one) {
     for (size_t other = one + 1; other < tried.size(); ++other) {
       // A push does nothing like any other: it takes up what its own stretch errs by, whatever that is.
-      if (tried[one].effect->happensOnce() || tried[other].effect->happensOnce()) continue;
+      const bool once = tried[one].effect->happensOnce() || tried[other].effect->happensOnce();
+      if (once || mean(tried[other].fit.windowSquares) > limits_.half * mean(base.windowSquares)) continue;
       Model both = tried[one].fit.model;
       const auto& further = tried[other].fit.model.effects;
       both.effects.insert(both.effects.end(), further.begin(), further.end());
