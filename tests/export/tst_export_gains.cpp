@@ -164,7 +164,7 @@ void TestExportGains::command_writesSaysAndRefuses() {
   refused("--tuning none.json --as vesc --pole-pairs 7", "none.json, field controller.current_limit_A: is 0");
   refused("--tuning linear.json --as odrive", "linear.json, field motor.mass_kg");
   refused("--tuning nowhere.json --as odrive", "nowhere.json: cannot be read");
-  refused("--tuning t/tuning.json --as odrive --name x", "--name: goes with --model only");
+  refused("--tuning t/tuning.json --as odrive --name x", "--name: goes with --map and --model only");
 }
 
 QTEST_APPLESS_MAIN(TestExportGains)

@@ -81,11 +81,10 @@ Result<Regression> regress(const std::vector<Track>& tracks, const std::vector<C
     squares += r.squaredNorm();
     total += y.squaredNorm();
   }
+  out.covariance = inverse * meat * inverse;
   // So few stretches leave as little over as there are columns to follow them: what they leave says nothing then.
   const auto clusters = static_cast<double>(blocks.size()), freedom = clusters - static_cast<double>(size);
-  out.covariance = freedom > 0.0
-                       ? (inverse * meat * inverse * (clusters / freedom)).eval()
-                       : Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::infinity()).eval();
+  out.fewStretches = freedom > 0.0 ? std::sqrt(clusters / freedom) : std::numeric_limits<double>::infinity();
   out.relativeError = std::sqrt(squares / std::max(total, 1e-300));
   return out;
 }

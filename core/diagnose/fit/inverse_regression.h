@@ -23,7 +23,8 @@ Column knownLoadColumn(const Model& model);
 
 struct Regression {
   Eigen::VectorXd value;       ///< one per column
-  Eigen::MatrixXd covariance;  ///< clustered by second; infinite where there are no more of these than columns
+  Eigen::MatrixXd covariance;  ///< clustered by second
+  double fewStretches = 1.0;   ///< by which standard errors are larger, as clusters are few; infinite: unknown
   double relativeError = 0.0;  ///< ‖residual‖/‖response‖
   size_t rows = 0;
 };

@@ -198,7 +198,7 @@ class Scales {
         tracks, columns, [](const InverseRows& rows, size_t k) { return rows.input[k]; }, false);
     if (!got || std::pow(got->relativeError, 2) > limits_.half) return {};
     const auto at = [&](Eigen::Index k) {
-      return Estimate{got->value[k], std::sqrt(std::max(0.0, got->covariance(k, k)))};
+      return Estimate{got->value[k], got->fewStretches * std::sqrt(std::max(1e-300, got->covariance(k, k)))};
     };
     // When in its row a drive acts isn't known: against a speed, that looks like an inertia.
     Mechanics out{at(0), at(1), at(2)};
