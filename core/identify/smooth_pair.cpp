@@ -83,8 +83,8 @@ void chooseKernels(const Problem& problem, Kernel (&kernels)[2]) {
   }
 }
 
-/// One curve at the places, over all spreads and ways that it might have, each as likely as the measured pairs are under
-/// it: where they can't show how far or how finely it swings, it may swing all the same.
+/// One curve at the places, over all spreads and ways that it might have, each as likely as the measured pairs are
+/// under it: where they can't show how far or how finely it swings, it may swing all the same.
 std::vector<Estimate> overKernels(const Problem& problem, const Kernel (&chosen)[2], Index c) {
   const auto n = static_cast<Index>(problem.place.size());
   constexpr size_t tries = std::size(spreads) * std::size(lengths);
