@@ -110,6 +110,7 @@ std::vector<Estimate> overKernels(const Problem& problem, const Kernel (&chosen)
   const Eigen::VectorXd apart = (means.colwise() - mean).array().square().matrix() * weights;
   const Eigen::VectorXd variance = variances * weights + apart;
   std::vector<Estimate> curve;
+  curve.reserve(problem.place.size());
   for (Index k = 0; k < n; ++k) curve.push_back({mean[k], rootOf(variance[k])});
   return curve;
 }
