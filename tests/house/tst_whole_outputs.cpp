@@ -124,7 +124,8 @@ void TestWholeOutputs::killedWhileItSearches_leavesWhatWasThere() {
   for (const bool over : {false, true}) {
     const QTemporaryDir place;
     if (over) output.lay(place.path());
-    output.kill(place.path(), static_cast<int>(0.6 * static_cast<double>(output.took_ms())));
+    // On a machine that is busy now and then, a run may take a third of what the one before took.
+    output.kill(place.path(), static_cast<int>(0.3 * static_cast<double>(output.took_ms())));
     QVERIFY2(output.left(place.path(), over) == Left::before, qPrintable(output.difference(place.path())));
   }
 }
