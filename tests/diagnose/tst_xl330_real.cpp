@@ -1,5 +1,6 @@
 #include <QTest>
 #include <algorithm>
+#include <set>
 
 #include "diagnose/diagnosed.h"
 #include "diagnose/diagnosis.h"
@@ -15,18 +16,22 @@ class TestXl330Real : public QObject {
   Q_OBJECT
  private slots:
   void gearAndIron_areBothNamed();
+  void rival_isListedOnce();
+
+ private:
+  static std::string folder() { return test::realRecordings() + "/bam_xl330/"; }
+  static Bench bench() { return *readBench(folder() + "xl330.bench.json"); }
+  static Recording read(const std::string& name) { return *readCsv(folder() + name + ".csv"); }
 };
 
 void TestXl330Real::gearAndIron_areBothNamed() {
   NEEDS_REAL_RECORDINGS();
   if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
-  const std::string folder = test::realRecordings() + "/bam_xl330/";
   std::vector<Recording> recordings;
   for (const char* motion : {"lift_and_drop", "sin_time_square", "up_and_down"}) {
-    for (const char* gain : {"100", "400", "800"})
-      recordings.push_back(*readCsv(folder + motion + "_kp" + gain + ".csv"));
+    for (const char* gain : {"100", "400", "800"}) recordings.push_back(read(std::string(motion) + "_kp" + gain));
   }
-  const auto diagnosis = diagnose(*readBench(folder + "xl330.bench.json"), recordings, {}, {});
+  const auto diagnosis = diagnose(bench(), recordings, {}, {});
   QVERIFY(diagnosis);
   qInfo("%s", inWords(*diagnosis).c_str());
   const auto names = [&](const char* effect) {
@@ -37,6 +42,21 @@ void TestXl330Real::gearAndIron_areBothNamed() {
   QVERIFY(names("load_dependent_friction"));
   QVERIFY(names("torque_saturation"));
   QVERIFY(diagnosis->fit.heldoutAfter < 0.5 * diagnosis->fit.heldoutBefore);
+}
+
+/// Friction that grows with the load is tried in the place of others in two shapes.
+void TestXl330Real::rival_isListedOnce() {
+  NEEDS_REAL_RECORDINGS();
+  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  const auto diagnosis = diagnose(bench(),
+                                  {read("lift_and_drop_kp400"), read("up_and_down_kp400"),
+                                   read("sin_time_square_kp400"), read("up_and_down_kp100")},
+                                  {read("sin_time_square_kp100")}, {});
+  QVERIFY(diagnosis && !diagnosis->findings.empty());
+  for (const Finding& finding : diagnosis->findings) {
+    const std::set<std::string> each(finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    QCOMPARE(each.size(), finding.ambiguousWith.size());
+  }
 }
 
 QTEST_APPLESS_MAIN(TestXl330Real)

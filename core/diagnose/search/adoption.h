@@ -23,9 +23,8 @@ class Adoption {
   /// The first that helps of those that explain most alone, if any does.
   void adoptAlone(SearchResult& result, const Screen& screen) const;
   /// Where what was adopted is far off: of all effects the one by which a simulation errs least, if that alone leaves
-  /// less than half of the base's error and clearly less than what was adopted, or two of them, if they do so beside
-  /// the better one. Along a motion that the base doesn't
-  /// foresee a regression is misled.
+  /// less than half of the base's error and clearly less than what was adopted, or two of them, if they leave less than
+  /// half of what the better one does. Along a motion that the base doesn't foresee a regression is misled.
   void adoptBest(SearchResult& result, const Screen& screen) const;
   /// Further terms that are likely beside those that were chosen, where much is left.
   void addWaves(SearchResult& result) const;

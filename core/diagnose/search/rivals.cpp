@@ -161,13 +161,14 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
                       (vanishes(result.best.model, *chosen.effect) || (unscreened && leaves < limits_.clearlyLess)) &&
                       !vanishes(fit.model, *rival.effect);
   if (!better && !push && !firmer) {
-    chosen.rivals.push_back(rival.effect);
+    if (!lists(chosen, rival.effect)) chosen.rivals.push_back(rival.effect);  // of several shapes one may be listed
     return;
   }
   if (better) {
     chosen.marginal = std::max(0.0, mean(left.windowSquares) - mean(fit.windowSquares));
     chosen.rivals.clear();
   } else {
+    std::erase(chosen.rivals, rival.effect);
     chosen.rivals.push_back(chosen.effect);
   }
   chosen.effect = rival.effect;
