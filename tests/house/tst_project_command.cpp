@@ -21,6 +21,7 @@ class TestProjectCommand : public QObject {
   void initTestCase();
   void tune_goesIntoTheProject();
   void diagnose_isARunOfItsMotor();
+  void itsDate_namesARun();
   void batch_putsEachDiagnosisInOnce();
   void twoTunings_areCompared();
   void note_namesARun();
@@ -87,8 +88,14 @@ void TestProjectCommand::diagnose_isARunOfItsMotor() {
   QCOMPARE(findings.size(), 1);
   QCOMPARE(findings[0]["run"].toString(), id);
   QCOMPARE(findings[0]["verdict"], run["verdict"]);
-  QCOMPARE(json({"project", "show", "p", run["at"].toString()})["id"].toString(), id);  // by its date
   QVERIFY(json({"project", "list", "p", "--motor", "9"})["runs"].toArray().isEmpty());
+}
+
+void TestProjectCommand::itsDate_namesARun() {
+  const Outcome put = breakaway({"project", "add", "dated", "d"});
+  QVERIFY2(put.status == 0, qPrintable(put.err));
+  const QJsonObject run = json({"project", "show", "dated", "last"});
+  QCOMPARE(json({"project", "show", "dated", run["at"].toString()})["id"], run["id"]);
 }
 
 void TestProjectCommand::batch_putsEachDiagnosisInOnce() {
