@@ -27,6 +27,9 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("places too small to matter") << "sound" << 37;
   QTest::newRow("winding and rotor ring faster than rows, some of which are missing") << "sound" << 131;
   QTest::newRow("a place by friction that wanders slowly") << "sound" << 68;
+  QTest::newRow("an inertia that rows are too long to show, and friction that seems to settle") << "sound" << 293;
+  QTest::newRow("friction that wanders, and a controller that answers") << "sound" << 302;
+  QTest::newRow("a current loop that lags, beside a small pull") << "sound" << 305;
   QTest::newRow("torque that seems to change from row to row") << "sound" << 26;
   QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
   QTest::newRow("an arm over less than a turn") << "imbalance" << 2;

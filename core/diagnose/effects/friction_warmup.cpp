@@ -34,7 +34,8 @@ class FrictionWarmup final : public Effect {
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return p[0] > 0.0 && p[0] <= seen.peakTorque;
+    // What of it settles while it is recorded has to be more than the drift that any rig has.
+    return p[0] <= seen.peakTorque && p[0] * -std::expm1(-seen.duration_s / p[1]) > seen.usualWander();
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {
     return message(

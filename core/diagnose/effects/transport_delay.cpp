@@ -38,8 +38,10 @@ class TransportDelay final : public Effect, private InputPart {
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     // Within a row nobody knows when a logged command acted.
+    if (p[0] < 0.0 && seen.driveMeasured) return false;  // it isn't commanded: channel_skew
     if (p[0] < 0.0) return p[0] < leastLate * seen.step_s && p[0] > mostLate * seen.step_s;
-    return p[0] > 0.02 * seen.step_s && p[0] < std::min(0.2, 0.05 * seen.duration_s);
+    // What a drive's own loop takes is the base's.
+    return p[0] > std::max(0.02 * seen.step_s, seen.followsWithin_s) && p[0] < std::min(0.2, 0.05 * seen.duration_s);
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {
     if (p[0] < 0.0) {

@@ -13,14 +13,16 @@
 #include "diagnose/fit/servo_start.h"
 #include "diagnose/fit/start_models.h"
 #include "diagnose/fit/winding_start.h"
+#include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double inductanceReach = 1.5;  ///< a factor up and down
-constexpr double slowestLoop_s = 5e-4;   ///< time constant of a current loop
+constexpr double inductanceReach = 1.5;    ///< a factor up and down
+constexpr double slowestWinding_s = 5e-3;  ///< its time constant
+constexpr double slowestLoop_s = 5e-4;     ///< time constant of a current loop
 
 /// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
 /// own faults in.
@@ -88,7 +90,11 @@ void limitInductance(Preparation& prepared, std::optional<double> believed, std:
   for (const Model& start : prepared.starts) {
     if (const auto one = start.baseValue(motorNames(start.axis).inductance)) known.push_back(*one);
   }
-  if (known.empty()) return;
+  if (known.empty()) {  // of a winding that nobody knows: what windings have
+    const Physics physics = physicsOf(prepared.starts.front());
+    if (physics.electrical) prepared.freedom.mostInductance_H = slowestWinding_s * physics.resistance;
+    return;
+  }
   const auto [least, most] = std::minmax_element(known.begin(), known.end());
   prepared.freedom.leastInductance_H = *least / inductanceReach;
   prepared.freedom.mostInductance_H = *most * inductanceReach;
@@ -233,7 +239,9 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   }
   if (!bench.servo) limitLateness(out.freedom, out.tracks);
   out.seen = excitationOf(training, out.starts.front());
+  out.seen.followsWithin_s = std::max(0.0, -out.freedom.leastLate_s);
   out.seen.immaterial = criteria.immaterial;
+  out.seen.soundPart = criteria.soundPart;
   out.seen.immaterialDrive = criteria.immaterialDrive;
   if (out.seen.bothWays) out.freedom.mostBias = out.seen.immaterialTorque();
   out.freedom.held.assign(known.trusted.begin(), known.trusted.end());

@@ -47,7 +47,8 @@ constexpr std::array table{
     Criterion{
         "farOff", &Criteria::farOff, ofFloor,
         "windows that err by more, in floors with wander, tell of something that happens there; from a model that "
-        "errs by more, effects are tried alone and in twos, and none of its sizes has a bound by profile",
+        "errs by more, effects are tried alone and in twos, and none of its sizes has a bound by profile; in readings' "
+        "noise: a base that errs by more is fitted from other inertias, too",
         "restarts at the edge of standstill"},
     Criterion{"largestPValue", &Criteria::largestPValue, ofChance,
               "an effect's p-value, for the whole catalogue, has to be at most this", "one false name in a hundred"},
@@ -55,7 +56,10 @@ constexpr std::array table{
               "a place that chance makes more often is none, and so is an effect that wander makes more often",
               "one false place in fifty"},
     Criterion{"beyondChance", &Criteria::beyondChance, ofChance,
-              "an effect gains so many times the most that 199 sign flips gave", "clean trials"},
+              "an effect gains so many times the most that 199 sign flips gave; wander that no sound rig has is so "
+              "many times "
+              "what any may have",
+              "clean trials"},
     Criterion{"apart", &Criteria::apart, ofChance, "standard errors beyond which one of two effects is the better name",
               "the 95 % interval"},
     Criterion{"farApart", &Criteria::farApart, ofChance,

@@ -14,6 +14,7 @@ struct Excitation {
   bool electrical = false;        ///< voltage or duty drives
   bool currentDrive = false;      ///< current drives
   bool driveMeasured = false;     ///< what drives was measured where it acts, not commanded
+  double followsWithin_s = 0.0;   ///< what the drive's own loop takes to follow a command, s; 0 where voltage drives
   bool currentSeen = false;       ///< voltage or duty drives, and the current was recorded, too
   bool supplySeen = false;        ///< the bridge's supply is known
   double supply_V = 0.0;          ///< of the bench, or the recorded one at the first row; 0: not known
@@ -37,8 +38,11 @@ struct Excitation {
   int reversals = 0;
   double inertia = 0.0;                              ///< of the base model, kg m²
   double coulomb = 0.0;                              ///< of the base model, Nm
-  double immaterial = 0.01, immaterialDrive = 5e-4;  ///< of friction and of the drive's peak: as Criteria has them
+  double immaterial = 0.01, soundPart = 0.05, immaterialDrive = 5e-4;  ///< of friction, of it and of the drive's peak:
+                                                                       ///< as Criteria has them
 
+  /// Any rig's friction may wander by this, Nm.
+  double usualWander() const { return soundPart * coulomb; }
   /// A smaller torque matters to nobody, Nm.
   double immaterialTorque() const { return std::max(immaterialDrive * peakTorque, immaterial * coulomb); }
 };

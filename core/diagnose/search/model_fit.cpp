@@ -28,6 +28,8 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
+constexpr double otherInertia = 3.0;  ///< times as much or as little: where else a fit begins
+constexpr double startOfWinding_s = 5e-4;
 constexpr double startOfLoop = 0.4;  ///< of the slowest that a current loop may be
 constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
@@ -217,6 +219,42 @@ static FitResult withFurther(const SearchInput& input, FitResult base, const std
   return gain > input.criteria.hardlyAny && typically ? further : base;
 }
 
+/// Of an axis that follows its drive within a few rows hardly anything shows the inertia, and a fit may come to rest in
+/// another valley: where even the best one is far off its sensors' noise, it begins again with far more of it and with
+/// far less.
+static void fromOtherInertias(const SearchInput& input, FitResult& best) {
+  const char* inertia = motorNames(best.model.axis).inertia;
+  double noise = 0.0;
+  for (const Track& track : input.tracks) noise = std::max(noise, track.readingNoise());
+  const bool inMotion = input.split.train.front().errorIn == ErrorIn::motion;
+  if (!inMotion || input.freedom.holds(inertia) || best.rmse <= input.criteria.farOff * noise) return;
+  const Model begun = best.model;
+  for (const double factor : {1.0 / otherInertia, otherInertia}) {
+    Model start = begun;
+    for (Parameter& one : start.base) one.value *= one.name == inertia ? factor : 1.0;
+    FitResult fit = fitModel(input, start, 8);
+    if (fit.usable && std::pow(fit.rmse, 2) < input.criteria.farLess * std::pow(best.rmse, 2)) best = std::move(fit);
+  }
+}
+
+/// The base model with an inductance, where voltage drives and nobody knows one.
+static FitResult withWinding(const SearchInput& input, FitResult base) {
+  const Physics physics = physicsOf(base.model);
+  const char* inductance = motorNames(base.model.axis).inductance;
+  if (!physics.electrical || base.model.baseValue(inductance)) return base;
+  return withFurther(input, std::move(base), inductance, {startOfWinding_s * physics.resistance});
+}
+
+/// The base model with a drive that acts earlier or later than recorded, if it may and doesn't yet.
+static FitResult withLateness(const SearchInput& input, FitResult base) {
+  const Freedom& freedom = input.freedom;
+  if (!freedom.mayBeLate() || base.model.baseValue(driveLateName)) return base;
+  const double follows_s = startOfLoop * freedom.leastLate_s;
+  return freedom.mostLate_s > 0.0 ? withFurther(input, std::move(base), driveLateName,
+                                                {follows_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s})
+                                  : withFurther(input, std::move(base), driveLateName, {follows_s});
+}
+
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   FitResult best;
   for (const Model& start : starts) {
@@ -224,18 +262,15 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
   if (!best.usable) return best;
-  const Freedom& freedom = input.freedom;
-  if (freedom.mayBeLate()) {
-    const double follows_s = startOfLoop * freedom.leastLate_s;
-    best = freedom.mostLate_s > 0.0 ? withFurther(input, std::move(best), driveLateName,
-                                                  {follows_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s})
-                                    : withFurther(input, std::move(best), driveLateName, {follows_s});
-  }
-  if (!(freedom.mostBias > 0.0)) return best;
+  fromOtherInertias(input, best);
+  const auto withLags = [&](FitResult fit) { return withLateness(input, withWinding(input, std::move(fit))); };
+  best = withLags(std::move(best));
+  if (!(input.freedom.mostBias > 0.0)) return best;
   FitResult biased = withFurther(input, best, biasName(input.seen.axis), {0.0});
   // One that would be larger, if it could, is no trifle.
   const double bias = biased.model.baseValue(biasName(input.seen.axis)).value_or(0.0);
-  return std::abs(bias) < input.criteria.hardlyLess * freedom.mostBias ? biased : best;
+  if (std::abs(bias) >= input.criteria.hardlyLess * input.freedom.mostBias) return best;
+  return withLags(std::move(biased));  // a load that is always there hides how late the drive is
 }
 
 bool happensOnce(const Model& model) {

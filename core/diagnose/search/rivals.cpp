@@ -164,6 +164,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
     if (!lists(chosen, rival.effect)) chosen.rivals.push_back(rival.effect);  // of several shapes one may be listed
     return;
   }
+  if (result.chosen.size() == 1) result.displaced.emplace_back(chosen, result.best);
   if (better) {
     chosen.marginal = std::max(0.0, mean(left.windowSquares) - mean(fit.windowSquares));
     chosen.rivals.clear();

@@ -27,8 +27,11 @@ struct SearchResult {
   FitResult base;
   FitResult best;
   std::vector<Chosen> chosen;  ///< in order of importance
-  TorqueNoise left;            ///< what base and chosen leave, taken for a torque that wanders
-  TorqueNoise leftByBase;      ///< what the base leaves
+  /// Whose place the only effect took, and the fits with them, the latest last: the better names if its size, in the
+  /// end, says nothing.
+  std::vector<std::pair<Chosen, FitResult>> displaced = {};
+  TorqueNoise left;        ///< what base and chosen leave, taken for a torque that wanders
+  TorqueNoise leftByBase;  ///< what the base leaves
   double adequate = std::numeric_limits<double>::infinity();  ///< SearchInput::adequate
 };
 

@@ -178,7 +178,23 @@ class Judge {
         errorsBefore_(scoreWindows(base_, prepared.tracks, prepared.split.trainScore)) {}
 
   Judgement judged() {
-    SearchResult candidate = found_;
+    if (auto one = standing(found_)) return std::move(*one);
+    for (auto before = found_.displaced.rbegin(); found_.chosen.size() == 1 && before != found_.displaced.rend();
+         ++before) {
+      SearchResult candidate = found_;
+      candidate.chosen = {before->first};
+      refine(candidate, before->second.model);
+      if (auto one = standing(std::move(candidate))) return std::move(*one);
+    }
+    return nothing();
+  }
+
+ private:
+  using Members = std::vector<Chosen>;
+  enum class Opinion { stands, falls, heldoutRefuses };
+
+  /// What of the candidate stands; nothing if none of it does.
+  std::optional<Judgement> standing(SearchResult candidate) const {
     bool refused = false;
     while (!candidate.chosen.empty()) {
       Judgement judgement;
@@ -200,12 +216,8 @@ class Judge {
       if (candidate.chosen.size() == 1) break;
       drop(candidate, leastOf(candidate));
     }
-    return nothing();
+    return std::nullopt;
   }
-
- private:
-  using Members = std::vector<Chosen>;
-  enum class Opinion { stands, falls, heldoutRefuses };
 
   double before() const { return typicalSquare(errorsBefore_); }
 
@@ -251,10 +263,12 @@ class Judge {
         !(currentToo && changesReadings(out.model)))
       return Opinion::falls;
     out.findings = findingsOf(candidate, out.model, input_, explained, [&](const EffectTerm& term) {
-      // A few pushes would explain any wander: they are held against what there is without them.
-      const bool once = findEffect(term.effect)->happensOnce();
-      return worthSaying(term, out.model, input_.seen, once ? candidate.leftByBase : out.rest.wander, limits_) &&
-             (!once || isSeen(term));
+      // A few pushes would explain any wander, and so would what goes along with time: they are held against what there
+      // is without them.
+      const Effect& effect = *findEffect(term.effect);
+      const bool inTime = effect.happensOnce() || effect.drawnOver() == "time";
+      return worthSaying(term, out.model, input_.seen, inTime ? candidate.leftByBase : out.rest.wander, limits_) &&
+             (!effect.happensOnce() || isSeen(term));
     });
     out.fit = scoreFit(bench_, base_, out.model, prepared_, out.rest.wander, input_.seed, out.proof);
     // If held-out data get worse, the effect isn't there. If it acts only where the training data are, as a push in one
@@ -267,7 +281,11 @@ class Judge {
     // A push explains its own stretch alone. If the others, which it leaves as they are, still show that something is
     // missing, it has taken up what that does there, unless its stretch errs by far more than they do.
     const double foreseen = std::max(out.fit.floor, out.fit.floorWithWander);
-    if (once && out.fit.heldoutAfter > limits_.settled * foreseen && !standsOut(out.model)) return Opinion::falls;
+    const bool restErrs = out.fit.heldoutAfter > limits_.settled * foreseen && !standsOut(out.model);
+    if (once && (restErrs || out.rest.share > 0.0 || out.rest.wanders)) return Opinion::falls;
+    // One no larger than what any rig's friction wanders by has to leave nothing but what sensors explain.
+    if (once && out.rest.aboveFloor && !exceedsWander(out.findings, physicsOf(out.model).coulomb))
+      return Opinion::falls;
     const bool muchHeld = out.fit.heldoutBefore > (once ? limits_.material : limits_.atFloor) * out.fit.floor;
     // It acts elsewhere: in few windows, or in a current's reading, which moves nothing. A load swings in all windows.
     const bool inFew = ofAll >= limits_.clearlyLess && !swings(out.model);
@@ -277,7 +295,9 @@ class Judge {
     // A gain that may be none proves nothing, but where held-out data need not show one, or single windows that run
     // away make its interval: then the training windows have to show it, all of them together.
     const double trained = std::pow(out.fit.trainAfter / out.fit.trainBefore, 2);
-    if (!elsewhere && out.fit.improvementLow95 <= 0.0 && !(singly && trained < limits_.half))
+    // Windows drawn without the few in which it acts show no gain, and no loss.
+    const bool rarely = inFew && held < limits_.half && out.fit.improvementLow95 > -limits_.hardlyAny;
+    if (!elsewhere && out.fit.improvementLow95 <= 0.0 && !((singly || rarely) && trained < limits_.half))
       return Opinion::heldoutRefuses;
     // After a restart a load that swings may run away in single windows, although the model is right. Then the typical
     // window decides, and held-out data have to show the gain.
@@ -295,6 +315,13 @@ class Judge {
     const Track& track = prepared_.tracks[window.track];
     const bool here = term.recording.empty() || term.recording == fileNameOf(track.name);
     return here && track.time[window.last] > from && track.time[window.first] < to;
+  }
+
+  /// Whether any of the pushes is larger than what a sound rig's friction wanders by.
+  bool exceedsWander(const std::vector<Finding>& pushes, double coulomb) const {
+    const double usual = mostWander(coulomb, input_.seen.peakTorque, limits_);
+    return std::any_of(pushes.begin(), pushes.end(),
+                       [usual](const Finding& one) { return std::abs(one.parameters.front().value) > usual; });
   }
 
   /// Whether the windows in which something happens once err by far more without it than all others do, under the same

@@ -18,6 +18,11 @@ struct Stretch {
   double share = 0.0;  ///< of the map's energy
 };
 
+/// Whether one order of the turn is clearly the strongest.
+bool isWave(const ResidualMap& map, const Criteria& criteria) {
+  return !map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude;
+}
+
 double energyOf(const ResidualMap& map, size_t cell) {
   return std::isfinite(map.mean[cell]) ? map.mean[cell] * map.mean[cell] * map.count[cell] : 0.0;
 }
@@ -97,7 +102,7 @@ Message angleSentence(const ResidualMap& map, const Stretch& at, const Place& pl
                     ? message("The axis needs {} than the model {}, {}", moreOrLess(at.mean, axis), range, ways)
                     : message("Something pushes the axis {} with {} {}{}", wayText(-at.mean, axis),
                               torqueText(std::abs(at.mean), axis), range, when);
-  if (!map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude) {
+  if (isWave(map, criteria)) {
     const int number = map.orders[0].number;
     const std::string amplitude = torqueText(map.orders[0].amplitude, axis);
     out = out + (number == 1 ? message(". It comes once per turn with ±{}", amplitude)
@@ -196,7 +201,7 @@ Place placeOf(const ResidualMap& whole, const Model& model, const Criteria& crit
   place.share = map.share * at.share;
   place.pValue = map.pValue;
   // A wave of the turn is as long as all of it, even where one of its hills is the highest.
-  if (!map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude)
+  if (isWave(map, criteria))
     place.share = map.share;
   if (map.axis == "reversal") place.from = std::max(0.0, place.from);
   place.sentence = sentenceOf(map, at, place, model.axis, criteria);
@@ -210,6 +215,18 @@ Place placeOf(const ResidualMap& whole, const Model& model, const Criteria& crit
 }
 
 }  // namespace
+
+ResidualMap onlyThere(ResidualMap map, const Place& place, const Criteria& criteria) {
+  if (map.along == alongs || !map.waves.empty() || isWave(map, criteria)) return map;
+  const auto covers = [&place](double at) { return at >= place.from && at <= place.to; };
+  for (size_t cell = 0; cell < map.centre.size(); ++cell) {
+    const double at = map.centre[cell];
+    const bool there = map.withinTurn && map.along == byAngle ? covers(at) || covers(at - turn_rad)
+                                                              : covers(at) || covers(-at);
+    if (!there) map.mean[cell] = std::nan("");
+  }
+  return map;
+}
 
 bool showsMore(const ResidualMap& map, const ResidualMap& other, const Criteria& criteria) {
   const auto counts = [&criteria](const ResidualMap& one) {

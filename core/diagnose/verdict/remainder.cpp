@@ -161,7 +161,8 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
   const bool typically = exceeds(criteria.atFloor, rest.floors.perfect);
   rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, criteria.farOff * rest.floors.withWander);
   rest.wanders =
-      typically && lastingRms(rest.wander) > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
+      typically && lastingRms(rest.wander) >
+                       criteria.beyondChance * mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
   rest.muchIsLeft = rest.part > criteria.soundPart;
   return rest;
 }
@@ -180,10 +181,20 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
     if (map.foretells.low95 <= 0.0) return true;
     return map.shows != Unknown::voltage && windows.foretold(map, seed).low95 < criteria.soundPart;
   });
+  const double usual = mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
+  // Through a controller friction that wanders goes along with drive, speed and acceleration, and by itself with time:
+  // there a place has to be more than that. And it has to foretell by itself, not by what its axis shows elsewhere.
+  const auto isMore = [&](const Place& place) {
+    const auto map = std::find_if(maps.begin(), maps.end(), [&place](const ResidualMap& one) {
+      return one.axis == place.axis && one.shows == place.shows && one.ofSomeSpeeds() == place.ofSomeSpeeds;
+    });
+    const bool apart = map->along == byAngle || map->along == byReversal || map->along == byTemperature;
+    return place.size >= (apart ? prepared.seen.immaterialTorque() : usual) &&
+           windows.foretold(onlyThere(*map, place, criteria), seed).low95 >= criteria.soundPart;
+  };
   for (Place& place : places(maps, model, criteria)) {
     if (place.pValue > criteria.likeliestByChance) continue;
-    if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen, criteria)) continue;
-    if (place.shows != Unknown::voltage && place.size < prepared.seen.immaterialTorque()) continue;
+    if (place.shows == Unknown::voltage ? !showsInVoltage(place, prepared.seen, criteria) : !isMore(place)) continue;
     if (rest.where.empty()) rest.pValue = place.pValue;
     place.sentence = message("Not explained by any known effect. {}", place.sentence);
     rest.where.push_back(std::move(place));

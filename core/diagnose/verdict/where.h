@@ -70,6 +70,10 @@ bool showsMore(const ResidualMap& map, const ResidualMap& other, const Criteria&
 /// electrical side, the largest share first.
 std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model, const Criteria& criteria = {});
 
+/// The map with what it says of the place alone, and of the mirrored one where the axis runs through zero; whole where
+/// the place is a wave or on the frequency, which nothing cuts.
+ResidualMap onlyThere(ResidualMap map, const Place& place, const Criteria& criteria = {});
+
 /// Puts the place on that axis (Effect::drawnOver()) first where it shows nearly as much as the first one.
 void preferAxis(std::vector<Place>& places, std::string_view axis, const Criteria& criteria);
 

@@ -51,6 +51,7 @@ bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& s
                  const Criteria& criteria) {
   const Parameter& amplitude = term.parameters.front();
   if (amplitude.low95 < 0.0 && amplitude.high95 > 0.0) return false;
+  if (!findEffect(term.effect)->plausible(valuesOf(term), seen)) return false;  // the last fit may have moved it
   if (!isAtATime(term)) return false;
   if (!isKnown(term, 0, model.axis, criteria) && !anotherIsKnown(term, model.axis, criteria)) return false;
   const auto torque = torqueOf(amplitude.name, amplitude.value, seen);
