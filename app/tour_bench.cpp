@@ -162,6 +162,14 @@ void Tour::tune() {
     if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }
   shoot("tune-step");
+  ControllerSettings edited = session_.connection.settings();
+  edited.velocity_kp_A_s_per_rad *= 1.6;
+  edited.velocity_ki_A_per_rad = 0.4;
+  edited.observer_cutoff_rad_per_s *= 3.0;
+  session_.edits.edit(edited);
+  settle(300);
+  shoot("tune-edited");
+  session_.edits.revertAll();
   press("observerNoiseTab");
   shoot("tune-noise");
   press("polesTab");

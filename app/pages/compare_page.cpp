@@ -104,10 +104,10 @@ void ComparePage::buildInputs() {
   openHeldout_ = new FileSlot(
       "openHeldoutButton", tr("Held-out"),
       tr("A second recording to prove the findings on; without it, parts of the first are held out"), group);
-  openBeneath_ = new FileSlot(
-      "openBeneathButton", tr("Beneath"),
-      tr("Another recording that is drawn dashed beneath this one, from their beginnings; Runs lays a kept one there"),
-      group);
+  openBeneath_ = new FileSlot("openBeneathButton", tr("Beneath"),
+                              tr("Another recording that is drawn dashed beneath this one, from where both begin to "
+                                 "move; Runs lays a kept one there"),
+                              group);
   takeBeneathAway_ = toolButton(group, "takeBeneathAwayButton", "×", tr("Takes away what lies beneath"));
   takeBeneathAway_->setAccessibleName(tr("Take away what lies beneath"));
   for (QWidget* slot : {openBench_, openRecording_, openHeldout_}) column->addWidget(slot);
@@ -174,6 +174,8 @@ void ComparePage::buildFindings() {
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
   showExperiment();
   settings()->addWidget(group);
+  connect(findings_, &FindingsList::evidenceChosen, this,
+          [this](const QString& effect) { plots_->showEvidenceOf(effect); });
   connect(findings_, &FindingsList::axisChosen, this, [this](const QString& axis) { plots_->showResidualOver(axis); });
 }
 

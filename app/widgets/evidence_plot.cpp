@@ -12,6 +12,8 @@
 #include "base/numbers.h"
 #include "session/comparison.h"
 #include "widgets/controls.h"
+#include "widgets/degree_ticker.h"
+#include "widgets/findings_list.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/residual_axis.h"
@@ -73,12 +75,12 @@ void EvidencePlot::draw() {
   dress(*plot_, look);
   plot_->clearPlottables();
   plot_->clearItems();
-  const auto& evidence = comparison_.evidence();
+  const Evidence* evidence = comparison_.evidence();
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setVisible(evidence.has_value());
-    axis->grid()->setVisible(evidence.has_value());
+    axis->setVisible(evidence != nullptr);
+    axis->grid()->setVisible(evidence != nullptr);
   }
-  hint_->setVisible(!evidence);
+  hint_->setVisible(evidence == nullptr);
   hint_->setFont(typed(Type::body));
   hint_->setTextColor(look.muted);
   const bool nothing = comparison_.diagnosis() && comparison_.diagnosis()->findings.empty();
@@ -86,18 +88,21 @@ void EvidencePlot::draw() {
                          : tr("The residual torque over the finding's own axis comes with the diagnosis"));
   title_->setTextColor(look.ink);
   title_->setFont(typed(Type::caption));
-  title_->setVisible(evidence.has_value());
+  title_->setVisible(evidence != nullptr);
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setText(k == 0 ? tr("base model") : tr("with findings"));
     names_[k]->setTextColor(look.curve(k == 0 ? 1 : 0));
     names_[k]->setFont(typed(Type::caption, true));
-    names_[k]->setVisible(evidence.has_value());
+    names_[k]->setVisible(evidence != nullptr);
   }
-  if (evidence) {
+  if (evidence != nullptr) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
-    title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
-                                      : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
-                        .arg(axis.label()));
+    const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
+                                            : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
+                              .arg(axis.label());
+    title_->setText(evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title);
+    plot_->xAxis->setTicker(axis.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
+                                             : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
     plot_->xAxis->rescale();

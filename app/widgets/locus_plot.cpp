@@ -26,11 +26,49 @@ LocusPlot::LocusPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
   draw();
 }
 
-void LocusPlot::show(const RootLocus& locus, double cutoff_rad_per_s, double tick_s) {
+void LocusPlot::show(const RootLocus& locus, double cutoff_rad_per_s, double tick_s, const RootLocus& onBoard,
+                     double boardCutoff_rad_per_s) {
   locus_ = locus;
   cutoff_rad_per_s_ = cutoff_rad_per_s;
   tick_s_ = tick_s;
+  onBoard_ = onBoard;
+  boardCutoff_rad_per_s_ = boardCutoff_rad_per_s;
   draw();
+}
+
+/// Poles to the left of both rays are damped by 1/√2 at least.
+void LocusPlot::drawDamping(double reach) {
+  const Look& look = Look::of(palette());
+  for (const double way : {-1.0, 1.0}) {
+    auto* ray = new QCPItemLine(plot_);
+    ray->start->setCoords(0.0, 0.0);
+    ray->end->setCoords(-reach, way * reach);
+    ray->setPen(QPen(look.border, 1, Qt::DashLine));
+    ray->setLayer("grid");
+  }
+  auto* name = new QCPItemText(plot_);
+  name->setText(tr("ζ 0.7"));
+  name->setColor(look.muted);
+  name->setFont(typed(Type::caption));
+  name->setBrush(look.surface);
+  name->position->setCoords(-0.5 * reach, 0.5 * reach);
+}
+
+void LocusPlot::drawPoles(const RootLocus& locus, double cutoff_rad_per_s, const QColor& ink) {
+  const auto nearest = std::min_element(locus.cutoff_rad_per_s.begin(), locus.cutoff_rad_per_s.end(),
+                                        [cutoff_rad_per_s](double a, double b) {
+                                          return std::abs(a - cutoff_rad_per_s) < std::abs(b - cutoff_rad_per_s);
+                                        });
+  if (nearest == locus.cutoff_rad_per_s.end()) return;
+  const auto now = static_cast<size_t>(nearest - locus.cutoff_rad_per_s.begin());
+  auto* poles = new QCPCurve(plot_->xAxis, plot_->yAxis);
+  poles->setLineStyle(QCPCurve::lsNone);
+  poles->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 2), Qt::NoBrush, 9));
+  for (const auto& branch : locus.branches) {
+    if (now >= branch.size() || std::abs(branch[now]) < 1e-6) continue;
+    const std::complex<double> s = std::log(branch[now]) / tick_s_;
+    poles->addData(s.real(), s.imag());
+  }
 }
 
 void LocusPlot::draw() {
@@ -55,13 +93,7 @@ void LocusPlot::draw() {
     name->setColor(look.trouble);
     name->setFont(typed(Type::caption, true));
     name->position->setCoords(0.125 * reach, 0.4 * reach);
-    const auto nearest = std::min_element(
-        locus_.cutoff_rad_per_s.begin(), locus_.cutoff_rad_per_s.end(),
-        [this](double a, double b) { return std::abs(a - cutoff_rad_per_s_) < std::abs(b - cutoff_rad_per_s_); });
-    const auto now = static_cast<size_t>(nearest - locus_.cutoff_rad_per_s.begin());
-    auto* poles = new QCPCurve(plot_->xAxis, plot_->yAxis);
-    poles->setLineStyle(QCPCurve::lsNone);
-    poles->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(look.ink, 2), Qt::NoBrush, 9));
+    drawDamping(reach);
     for (const auto& branch : locus_.branches) {
       auto* curve = new QCPCurve(plot_->xAxis, plot_->yAxis);
       curve->setPen(QPen(look.curve(0), 1.6));
@@ -69,9 +101,10 @@ void LocusPlot::draw() {
         if (std::abs(branch[k]) < 1e-6) continue;
         const std::complex<double> s = std::log(branch[k]) / tick_s_;
         curve->addData(s.real(), s.imag());
-        if (k == now) poles->addData(s.real(), s.imag());
       }
     }
+    drawPoles(onBoard_, boardCutoff_rad_per_s_, look.curve(3));
+    drawPoles(locus_, cutoff_rad_per_s_, look.ink);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -14,16 +14,21 @@ class LocusPlot : public QWidget {
 
  public:
   explicit LocusPlot(QWidget* parent = nullptr);
-  /// `cutoff_rad_per_s` is where the poles are now; `tick_s` takes them from the z plane to the s plane.
-  void show(const RootLocus& locus, double cutoff_rad_per_s, double tick_s);
+  /// `cutoff_rad_per_s` is where the poles are now; `tick_s` takes them from the z plane to the s plane. `onBoard` and
+  /// its cutoff: of the board's settings where these are others, else empty.
+  void show(const RootLocus& locus, double cutoff_rad_per_s, double tick_s, const RootLocus& onBoard = {},
+            double boardCutoff_rad_per_s = 0.0);
   using QWidget::show;
 
  private:
   void draw();
+  void drawDamping(double reach);
+  /// The poles at a cutoff, as crosses.
+  void drawPoles(const RootLocus& locus, double cutoff_rad_per_s, const QColor& ink);
 
   QCustomPlot* plot_ = nullptr;
-  RootLocus locus_;
-  double cutoff_rad_per_s_ = 0.0, tick_s_ = 0.0;
+  RootLocus locus_, onBoard_;
+  double cutoff_rad_per_s_ = 0.0, boardCutoff_rad_per_s_ = 0.0, tick_s_ = 0.0;
 };
 
 }  // namespace breakaway

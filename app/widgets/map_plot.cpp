@@ -57,10 +57,11 @@ void MapPlot::setFromZero(bool fromZero) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-std::pair<double, double> MapPlot::valueRange(double doubt, double below) const {
+std::pair<double, double> MapPlot::valueRange(double doubt, double below, bool withDifferences) const {
   double least = std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::lowest();
   for (const MapCurve& curve : curves_) {
+    if (!withDifferences && ofDifference(curve)) continue;
     for (const MapPoint& point : curve.points) {
       if (!std::isfinite(point.value)) continue;
       least = std::min(least, point.value - doubt * point.standardError);

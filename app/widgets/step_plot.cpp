@@ -98,8 +98,9 @@ void StepPlot::show(const std::vector<StepResult>& steps) {
   draw();
 }
 
-void StepPlot::foretell(const StepCurve& curve) {
+void StepPlot::foretell(const StepCurve& curve, const StepCurve& onBoard) {
   foretold_ = curve;
+  onBoard_ = onBoard;
   draw();
 }
 
@@ -123,11 +124,12 @@ void StepPlot::draw() {
     }
   }
   plot_->clearGraphs();
-  double settled = settled_ms(foretold_);
+  double settled = std::max(settled_ms(foretold_), settled_ms(onBoard_));
   for (size_t k = firstDrawn(steps_.size()); k < steps_.size(); ++k) {
     drawCurve(steps_[k].curve, QPen(look.measured(colourOf(k)), 3.0));
     settled = std::max(settled, settled_ms(steps_[k].curve));
   }
+  drawCurve(onBoard_, QPen(look.curve(3), 1.2, Qt::DashLine));
   drawCurve(foretold_, QPen(look.curve(0), 1.8));
   if (some) {
     for (QCPAxisRect* rect : {velocity_, current_}) {
@@ -156,7 +158,8 @@ void StepPlot::nameCurves() {
     head_->addElement(0, head_->columnCount(), element);
     stretch << 1e-3;
   };
-  if (!foretold_.time_s.empty()) name(tr("foretold"), look.curve(0));
+  if (!foretold_.time_s.empty()) name(onBoard_.time_s.empty() ? tr("foretold") : tr("edited, foretold"), look.curve(0));
+  if (!onBoard_.time_s.empty()) name(tr("╌ on board"), look.curve(3));
   for (size_t k = steps_.size();
        k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time
     name(k + 1 == steps_.size() ? tr("step %1").arg(k + 1) : QString::number(k + 1), look.curve(colourOf(k)));

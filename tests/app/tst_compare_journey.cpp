@@ -102,7 +102,7 @@ void checkDiagnosis(Desk& desk) {
   QVERIFY2(desk.text("verdictFigure").contains("→"), qPrintable(desk.text("verdictFigure")));
   QVERIFY(!named<FactsTable>(desk.window, "baseParameters")->value("Wander of the friction").isEmpty());
   if (!diagnosis.findings.empty())
-    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.evidence().has_value(); }, patience_ms));
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.evidence() != nullptr; }, patience_ms));
   const double drawn = desk.session.comparison.shownRmse();
   QVERIFY2(sanitized || (drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter),
            qPrintable(QString::number(drawn)));

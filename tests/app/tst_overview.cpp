@@ -25,6 +25,7 @@ class TestOverview : public QObject {
   void shortStretch_hasItsRows();
   void missingValues_areNoExtremes();
   void channelThatIsNotThere_isEmpty();
+  void begin_isWhereItLeavesItsFirstValue();
   void noisyRecording_isDrawnAtOnce();
   void nothingNew_isLookedForSeldom();
 };
@@ -91,6 +92,22 @@ void TestOverview::channelThatIsNotThere_isEmpty() {
   std::vector<double> values;
   const Overview overview(noisy(values), "position_m");
   QVERIFY(overview.between(0.0, 100.0, 800).empty());
+}
+
+/// Two seconds at rest with a count to and fro, then a ramp of one a second: a hundredth of eight is 0.08 s later.
+void TestOverview::begin_isWhereItLeavesItsFirstValue() {
+  std::vector<double> time, values;
+  for (int k = 0; k <= 1000; ++k) {
+    time.push_back(5.0 + 0.01 * k);
+    values.push_back(3.0 + (k <= 200 ? 0.001 * (k % 2) : 0.01 * (k - 200)));
+  }
+  const Overview overview(Recording::seal("r", {{"time_s", time}, {"angle_rad", values}}).value(), "angle_rad");
+  QCOMPARE(overview.begin().value, 3.0);
+  QVERIFY2(std::abs(overview.begin().time_s - 7.09) < 0.011, qPrintable(QString::number(overview.begin().time_s)));
+  const std::vector<double> still(time.size(), 1.5);
+  const Overview resting(Recording::seal("r", {{"time_s", time}, {"angle_rad", still}}).value(), "angle_rad");
+  QCOMPARE(resting.begin().time_s, 5.0);
+  QCOMPARE(resting.begin().value, 1.5);
 }
 
 /// The picture is as many up and down strokes as are seen apart: of a thick line, each crosses all others.
