@@ -284,6 +284,14 @@ void ComparePage::showTrial() {
 
 void ComparePage::showExperiment() {
   setAvailable(runExperiment_, experiment_.plan(), experiment_.obstacle());
+  showNext();
+}
+
+/// One button is to be pressed: to diagnose, and then to make the experiment that tells more, where the board can.
+void ComparePage::showNext() {
+  const bool experiment = comparison_.diagnosis() && runExperiment_->isEnabled();
+  dressAs(runExperiment_, "role", experiment ? "primary" : QString());
+  dressAs(diagnose_, "role", experiment ? QString() : "primary");
 }
 
 void ComparePage::showProgress() {
@@ -364,6 +372,7 @@ void ComparePage::showProof() {
                    : diagnosis->fit.inTorque()
                        ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)
                        : tr("As ticked, the error is %1").arg(off));
+  showNext();
   showHint();
   showState();
 }

@@ -62,8 +62,9 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, ProfileCompar
   connect_ = addSecondary("connectButton", tr("Connect"), connectWidth);
   disconnect_ = addSecondary("disconnectButton", tr("Disconnect"));
   settings()->addWidget(buildBoards(), 1);
-  welcome_ = new WelcomeCard(this);
-  connect(welcome_, &WelcomeCard::tryAsked, this, &ConnectPage::tryOut);
+  auto* welcome = new WelcomeCard(this);
+  welcome_ = welcome;
+  connect(welcome, &WelcomeCard::tryAsked, this, &ConnectPage::tryOut);
   picture()->addWidget(welcome_, 1);
   board_ = new QWidget(this);
   auto* cards = columnIn(board_, picture()->spacing());

@@ -28,6 +28,7 @@ class StepPlot : public QWidget {
   /// What steps, with its unit.
   void setQuantity(const QString& title);
   const StepCurve& foretold() const { return foretold_; }
+  const StepCurve& onBoard() const { return onBoard_; }
 
   /// The colour in which a measured step is drawn, its number counted from 0.
   static int colourOf(size_t step);

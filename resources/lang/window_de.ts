@@ -4363,6 +4363,10 @@
         <source>from power-up</source>
         <translation>vom Einschalten an</translation>
     </message>
+    <message>
+        <source>%1° to go at most</source>
+        <translation>höchstens noch %1°</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::RunComparisonPanel</name>

@@ -115,6 +115,14 @@ void checkDiagnosis(Desk& desk) {
     QVERIFY(plots->bands() > 0);
   }
   desk.window.showPage("comparePage");
+  for (const Evidence& one : desk.session.comparison.evidences()) {
+    if (one.effect.empty()) continue;
+    auto* link = named<QLabel>(desk.window, qPrintable("evidence_" + QString::fromStdString(one.effect)));
+    QVERIFY(!link->isHidden());
+    emit link->linkActivated(QString::fromStdString(one.effect));
+    QCOMPARE(desk.session.comparison.evidence()->effect, one.effect);
+    QVERIFY(named<QWidget>(desk.window, "evidencePlot")->isVisible());
+  }
   checkRoom(desk.window);
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
