@@ -12,7 +12,8 @@
 namespace breakaway {
 
 namespace {
-constexpr double shownPerCutoff = 5.0;  // of the plane, to either side
+constexpr double shownPerCutoff = 5.0, leastPerCutoff = 1.5;  // of the plane, to the left
+constexpr double roomBeside = 1.3;                            // times the furthest pole
 }  // namespace
 
 LocusPlot::LocusPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -54,21 +55,32 @@ void LocusPlot::drawDamping(double reach) {
   name->position->setCoords(-0.5 * reach, 0.5 * reach);
 }
 
-void LocusPlot::drawPoles(const RootLocus& locus, double cutoff_rad_per_s, const QColor& ink) {
+std::vector<std::complex<double>> LocusPlot::polesAt(const RootLocus& locus, double cutoff_rad_per_s) const {
   const auto nearest = std::min_element(locus.cutoff_rad_per_s.begin(), locus.cutoff_rad_per_s.end(),
                                         [cutoff_rad_per_s](double a, double b) {
                                           return std::abs(a - cutoff_rad_per_s) < std::abs(b - cutoff_rad_per_s);
                                         });
-  if (nearest == locus.cutoff_rad_per_s.end()) return;
+  std::vector<std::complex<double>> poles;
   const auto now = static_cast<size_t>(nearest - locus.cutoff_rad_per_s.begin());
-  auto* poles = new QCPCurve(plot_->xAxis, plot_->yAxis);
-  poles->setLineStyle(QCPCurve::lsNone);
-  poles->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 2), Qt::NoBrush, 9));
-  for (const auto& branch : locus.branches) {
-    if (now >= branch.size() || std::abs(branch[now]) < 1e-6) continue;
-    const std::complex<double> s = std::log(branch[now]) / tick_s_;
-    poles->addData(s.real(), s.imag());
-  }
+  for (const auto& branch : locus.branches)
+    if (now < branch.size() && std::abs(branch[now]) > 1e-6) poles.push_back(std::log(branch[now]) / tick_s_);
+  return poles;
+}
+
+void LocusPlot::drawPoles(const std::vector<std::complex<double>>& poles, const QColor& ink) {
+  auto* crosses = new QCPCurve(plot_->xAxis, plot_->yAxis);
+  crosses->setLineStyle(QCPCurve::lsNone);
+  crosses->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 2), Qt::NoBrush, 9));
+  for (const std::complex<double>& s : poles) crosses->addData(s.real(), s.imag());
+}
+
+/// As far as the poles that matter beside the cutoff: what dies out much faster needs no room.
+double LocusPlot::reachOf(const std::vector<std::complex<double>>& poles) const {
+  const double cutoff = std::max(200.0, cutoff_rad_per_s_);
+  double most = leastPerCutoff * cutoff;
+  for (const std::complex<double>& s : poles)
+    if (std::abs(s) < shownPerCutoff * cutoff) most = std::max(most, roomBeside * std::abs(s));
+  return std::min(most, shownPerCutoff * cutoff);
 }
 
 void LocusPlot::draw() {
@@ -78,7 +90,8 @@ void LocusPlot::draw() {
   plot_->clearItems();
   plot_->axisRect()->setVisible(!locus_.branches.empty());
   if (!locus_.branches.empty() && tick_s_ > 0.0) {
-    const double reach = shownPerCutoff * std::max(200.0, cutoff_rad_per_s_);
+    const auto now = polesAt(locus_, cutoff_rad_per_s_);
+    const double reach = reachOf(now);
     plot_->xAxis->setRange(-reach, 0.25 * reach);
     plot_->yAxis->setRange(-0.625 * reach, 0.625 * reach);
     auto* unstable = new QCPItemRect(plot_);
@@ -103,8 +116,8 @@ void LocusPlot::draw() {
         curve->addData(s.real(), s.imag());
       }
     }
-    drawPoles(onBoard_, boardCutoff_rad_per_s_, look.curve(3));
-    drawPoles(locus_, cutoff_rad_per_s_, look.ink);
+    drawPoles(polesAt(onBoard_, boardCutoff_rad_per_s_), look.curve(3));
+    drawPoles(now, look.ink);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QWidget>
+#include <complex>
+#include <vector>
 
 #include "stability/root_locus.h"
 
@@ -23,8 +25,10 @@ class LocusPlot : public QWidget {
  private:
   void draw();
   void drawDamping(double reach);
-  /// The poles at a cutoff, as crosses.
-  void drawPoles(const RootLocus& locus, double cutoff_rad_per_s, const QColor& ink);
+  void drawPoles(const std::vector<std::complex<double>>& poles, const QColor& ink);
+  /// In the s plane, 1/s.
+  std::vector<std::complex<double>> polesAt(const RootLocus& locus, double cutoff_rad_per_s) const;
+  double reachOf(const std::vector<std::complex<double>>& poles) const;
 
   QCustomPlot* plot_ = nullptr;
   RootLocus locus_, onBoard_;

@@ -41,13 +41,13 @@ void paintMap(QPainter& painter, const QRectF& room, const Look& look) {
     for (int k = 0; k < places; ++k) {
       const double at = 2.0 * std::numbers::pi * k / places;
       const double radius =
-          reach * (mean + 0.07 * std::cos(at - phase) + 0.04 * std::cos(3.0 * at + phase) + 0.02 * std::cos(12.0 * at));
+          reach * (mean + 0.1 * std::cos(at - phase) + 0.05 * std::cos(3.0 * at + phase) + 0.01 * std::cos(12.0 * at));
       line << middle + QPointF(radius * std::cos(at), -radius * std::sin(at));
     }
     return line;
   };
   painter.setPen(QPen(look.measured(0), 1.4, Qt::DashLine));
-  painter.drawPolygon(around(0.58, 0.9));
+  painter.drawPolygon(around(0.55, 0.9));
   painter.setPen(QPen(look.curve(0), 2));
   painter.drawPolygon(around(0.68, 0.9));
   painter.setPen(QPen(look.curve(1), 2));
