@@ -387,7 +387,8 @@ void MapPanel::showRingLegend(const MapPicture& picture) {
   for (const double by : {most, least}) {
     if (by == 0.0) continue;
     lines << QString("<span style='color:%1; font-weight:600'>■ %2%3 %4</span>")
-                 .arg(ringInk(look, by, std::abs(by)).name(), by > 0.0 ? "+" : "", numberText(by, 2), picture.unit);
+                 .arg(ringInk(look, by, std::abs(by)).name(), by > 0.0 ? "+" : "−", numberText(std::abs(by), 2),
+                      picture.unit);
   }
   ringLegend_->setText(lines.join("<br>"));
 }

@@ -104,6 +104,7 @@ QString MapPlot::readingAt(const QPointF& pixel) {
   double nearest = near_px;
   QString text;
   for (size_t curve = 0; curve < curves_.size(); ++curve) {
+    if (curves_[curve].part == MapPart::noDifference) continue;  // says nothing of the motor
     for (size_t point = 0; point < curves_[curve].points.size(); ++point) {
       const QPointF away = pixelOf(curves_[curve].points[point]) - pixel;
       const double distance = std::hypot(away.x(), away.y());

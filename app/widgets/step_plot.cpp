@@ -158,7 +158,7 @@ void StepPlot::nameCurves() {
     head_->addElement(0, head_->columnCount(), element);
     stretch << 1e-3;
   };
-  if (!foretold_.time_s.empty()) name(onBoard_.time_s.empty() ? tr("foretold") : tr("edited, foretold"), look.curve(0));
+  if (!foretold_.time_s.empty()) name(onBoard_.time_s.empty() ? tr("foretold") : tr("edited"), look.curve(0));
   if (!onBoard_.time_s.empty()) name(tr("╌ on board"), look.curve(3));
   for (size_t k = steps_.size();
        k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
@@ -116,10 +117,23 @@ class Picture : public QWidget {
 WelcomeCard::WelcomeCard(QWidget* parent) : QFrame(parent) {
   setObjectName("welcomeCard");
   setProperty("role", "card");
-  auto* column = columnIn(this, 4, {20, 16, 20, 16});
-  column->addWidget(section(this, tr("What this bench answers")));
-  auto* how = explanation(this, tr("Each can be tried at once, without a motor: simulated boards do all that real ones "
-                                   "do. Nothing moves before you ask for it."));
+  auto* area = new QScrollArea(this);  // beside plots of what comes in there is less room
+  area->setObjectName("welcomeArea");
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  columnIn(this, 0, {4, 4, 4, 4})->addWidget(area);
+  content_ = new QWidget(area);
+  content_->setProperty("role", "column");
+  auto* column = columnIn(content_, 4, {16, 12, 16, 12});
+  area->setWidget(content_);
+  area->viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
+  column->addWidget(section(content_, tr("What this bench answers")));
+  auto* how =
+      explanation(content_, tr("Each can be tried at once, without a motor: simulated boards do all that real ones "
+                               "do. Nothing moves before you ask for it."));
   how->setProperty("tone", "muted");
   column->addWidget(how);
   add(WelcomePicture::map, {"frictionPage", "tryFrictionButton"}, tr("How much friction, and where around the turn"),
@@ -137,25 +151,25 @@ WelcomeCard::WelcomeCard(QWidget* parent) : QFrame(parent) {
 
 void WelcomeCard::add(WelcomePicture picture, const Names& names, const QString& title, const QString& sentence,
                       const QString& button, const QString& tip) {
-  static_cast<QVBoxLayout*>(layout())->addStretch(1);
+  static_cast<QVBoxLayout*>(content_->layout())->addStretch(1);
   auto* row = new QHBoxLayout;
   row->setSpacing(20);
-  row->addWidget(new Picture(picture, this), 0, Qt::AlignVCenter);
+  row->addWidget(new Picture(picture, content_), 0, Qt::AlignVCenter);
   auto* words = new QVBoxLayout;
   words->setSpacing(4);
-  auto* head = new QLabel(title, this);
+  auto* head = new QLabel(title, content_);
   head->setFont(typed(Type::body, true));
   head->setWordWrap(true);
   words->addStretch(1);
   words->addWidget(head);
-  words->addWidget(explanation(this, sentence));
+  words->addWidget(explanation(content_, sentence));
   words->addSpacing(4);
-  auto* go = pushButton(this, names.button, button, tip);
-  go->setFixedWidth(buttonWidth);
+  auto* go = pushButton(content_, names.button, button, tip);
+  go->setMinimumWidth(buttonWidth);
   words->addWidget(go, 0, Qt::AlignLeft);
   words->addStretch(1);
   row->addLayout(words, 1);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  static_cast<QVBoxLayout*>(content_->layout())->addLayout(row);
   connect(go, &QPushButton::clicked, this,
           [this, page = QString(names.page), picture] { emit tryAsked(page, picture != WelcomePicture::verdict); });
 }

@@ -25,6 +25,8 @@ class WelcomeCard : public QFrame {
   };
   void add(WelcomePicture picture, const Names& names, const QString& title, const QString& sentence,
            const QString& button, const QString& tip);
+
+  QWidget* content_ = nullptr;
 };
 
 }  // namespace breakaway

@@ -4715,8 +4715,8 @@ wird der Sprung vorhergesagt,
 den seine Einstellungen ergeben</translation>
     </message>
     <message>
-        <source>edited, foretold</source>
-        <translation>geändert, Modell</translation>
+        <source>edited</source>
+        <translation>geändert</translation>
     </message>
     <message>
         <source>╌ on board</source>
