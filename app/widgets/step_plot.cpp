@@ -143,18 +143,25 @@ void StepPlot::draw() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// At the right of the title, each in its colour: the newest next to what is foretold.
+/// At the right of the title, each in its colour, the newest next to what is foretold; the oldest have no name where
+/// there is no room, as the table beneath has their colours, too.
 void StepPlot::nameCurves() {
   const Look& look = Look::of(palette());
   while (head_->columnCount() > 1) {
     head_->removeAt(head_->rowColToIndex(0, head_->columnCount() - 1));
     head_->simplify();
   }
+  constexpr int beside_px = 4, gap_px = 5;  // of a name, and what the layout puts between two
+  const QFont font = typed(Type::caption, true);
+  const QFontMetrics titleWidths(titles_[0]->font()), widths(font);
+  int room_px = width() - titleWidths.horizontalAdvance(titles_[0]->text()) - 2 * beside_px;
   QList<double> stretch{1.0};
   const auto name = [&](const QString& text, const QColor& ink) {
-    auto* element = new QCPTextElement(plot_, text, typed(Type::caption, true));
+    room_px -= widths.horizontalAdvance(text) + 2 * beside_px + gap_px;
+    if (room_px < 0) return;
+    auto* element = new QCPTextElement(plot_, text, font);
     element->setTextColor(ink);
-    element->setMargins(QMargins(4, 0, 4, 0));
+    element->setMargins(QMargins(beside_px, 0, beside_px, 0));
     head_->addElement(0, head_->columnCount(), element);
     stretch << 1e-3;
   };
@@ -164,6 +171,12 @@ void StepPlot::nameCurves() {
        k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time
     name(k + 1 == steps_.size() ? tr("step %1").arg(k + 1) : QString::number(k + 1), look.curve(colourOf(k)));
   head_->setColumnStretchFactors(stretch);
+}
+
+void StepPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  nameCurves();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StepPlot::drawCurve(const StepCurve& curve, const QPen& pen) {

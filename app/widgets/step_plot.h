@@ -35,6 +35,9 @@ class StepPlot : public QWidget {
   /// The first of so many that is still drawn.
   static size_t firstDrawn(size_t steps);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void draw();
   void nameCurves();

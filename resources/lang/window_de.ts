@@ -2902,7 +2902,7 @@
     </message>
     <message>
         <source>%1, believed</source>
-        <translation>%1, angenommen</translation>
+        <translation>%1, gesetzt</translation>
     </message>
 </context>
 <context>
@@ -4720,7 +4720,7 @@ den seine Einstellungen ergeben</translation>
     </message>
     <message>
         <source>╌ on board</source>
-        <translation>╌ auf dem Board</translation>
+        <translation>╌ Board</translation>
     </message>
 </context>
 <context>
