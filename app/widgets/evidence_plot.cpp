@@ -22,6 +22,7 @@ namespace breakaway {
 
 namespace {
 
+constexpr int textGap_px = 24;        // at both sides of a text in the head, and between two
 constexpr double nearSpacings = 2.5;  // of the middle one, between cells that a line joins
 constexpr double wideBar_px = 9.0, thinBar_px = 3.0, wideBarAlpha = 0.35;
 
@@ -97,10 +98,7 @@ void EvidencePlot::draw() {
   }
   if (evidence != nullptr) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
-    const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
-                                            : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
-                              .arg(axis.label());
-    title_->setText(evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title);
+    showTitle();
     plot_->xAxis->setTicker(axis.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
                                              : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
     drawMap(evidence->before, 1);
@@ -110,6 +108,27 @@ void EvidencePlot::draw() {
     plot_->yAxis->rescale();
     plot_->yAxis->scaleRange(1.15);
   }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// With the finding's name where there is room for it.
+void EvidencePlot::showTitle() {
+  const Evidence* evidence = comparison_.evidence();
+  if (evidence == nullptr) return;
+  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
+                                          : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
+                            .arg(shownAxis(evidence->axis, evidence->linear).label());
+  const QString whole = evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title;
+  int room_px = width();
+  for (QCPTextElement* name : names_)
+    room_px -= QFontMetrics(name->font()).horizontalAdvance(name->text()) + textGap_px;
+  const bool fits = QFontMetrics(title_->font()).horizontalAdvance(whole) + textGap_px <= room_px;
+  title_->setText(fits ? whole : title);
+}
+
+void EvidencePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showTitle();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
