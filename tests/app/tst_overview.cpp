@@ -27,6 +27,7 @@ class TestOverview : public QObject {
   void channelThatIsNotThere_isEmpty();
   void begin_isWhereItLeavesItsFirstValue();
   void noisyRecording_isDrawnAtOnce();
+  void calmRecording_isDrawnSmoothly();
   void nothingNew_isLookedForSeldom();
 };
 
@@ -128,6 +129,24 @@ void TestOverview::noisyRecording_isDrawnAtOnce() {
     least_s = std::min(least_s, time.elapsed_s());
   }
   if (!sanitized) QVERIFY2(least_s < 0.05, qPrintable(QString::number(least_s)));
+  QVERIFY2(!plot->graph(0)->antialiased(), "what fills its pixels has no steps to smooth");
+}
+
+void TestOverview::calmRecording_isDrawnSmoothly() {
+  Messages messages;
+  Comparison comparison(messages);
+  ResidualPlots plots(comparison);
+  plots.resize(1400, 500);
+  plots.show();
+  std::vector<double> time, values;
+  for (size_t k = 0; k < 100'000; ++k) {
+    time.push_back(1e-3 * static_cast<double>(k));
+    values.push_back(std::sin(0.5 * time.back()));
+  }
+  comparison.takeRecording(Recording::seal("r", {{"time_s", time}, {"angle_rad", values}}).value());
+  auto* plot = plots.findChild<QCustomPlot*>("residualPlot");
+  QTRY_VERIFY_WITH_TIMEOUT(plot->graph(0)->dataCount() > 400, 20000);
+  QVERIFY(plot->graph(0)->antialiased());
 }
 
 void TestOverview::nothingNew_isLookedForSeldom() {
