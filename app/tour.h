@@ -54,6 +54,7 @@ class Tour {
   void layBeneath();
   void compare();
   void openLog();
+  void overlay();
   void sealedTrial();
   void linear();
 

@@ -104,16 +104,19 @@ void Tour::compareProfile() {
   const ControllerSettings before = session_.connection.settings();
   files_.path = folder.filePath("bench 3.profile.json");
   press("saveProfileButton");
-  wait([this] { return QFile::exists(files_.path); }, 5000);
+  wait([this] { return QFile::exists(files_.path); });
   ControllerSettings other = before;
   other.velocity_kp_A_s_per_rad *= 0.6;
   other.observer_cutoff_rad_per_s *= 0.5;
   other.current_limit_A *= 0.8;
   session_.connection.configure(other);
-  wait([&] { return session_.connection.settings() == other; }, 5000);
+  wait([&] { return session_.connection.settings() == other; });
   press("openProfileButton");
   const auto* table = window_.findChild<QTableWidget*>("profileTable");
-  wait([&] { return table->rowCount() == 3; }, 5000);
+  if (!wait([&] { return table->rowCount() == 3; })) {
+    trouble_ = "the profile is not compared";
+    return;
+  }
   table->item(0, 0)->setCheckState(Qt::Unchecked);
   table->item(1, 0)->setCheckState(Qt::Unchecked);
   press("restoreProfileButton");
@@ -162,6 +165,14 @@ void Tour::tune() {
     if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }
   shoot("tune-step");
+  ControllerSettings edited = session_.connection.settings();
+  edited.velocity_kp_A_s_per_rad *= 1.6;
+  edited.velocity_ki_A_per_rad = 0.4;
+  edited.observer_cutoff_rad_per_s *= 3.0;
+  session_.edits.edit(edited);
+  settle(300);
+  shoot("tune-edited");
+  session_.edits.revertAll();
   press("observerNoiseTab");
   shoot("tune-noise");
   press("polesTab");

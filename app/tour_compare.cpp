@@ -36,6 +36,26 @@ void Tour::compare() {
       std::max(0, axis->findData(QString::fromStdString(session_.comparison.diagnosis()->where.front().axis))));
   if (auto* motion = window_.findChild<QAbstractButton*>("showMotion")) motion->click();
   shoot("compare-where");
+  axis->setCurrentIndex(0);
+  overlay();
+}
+
+/// The same drive on a rotor that comes 6 % further, recorded half a second earlier.
+void Tour::overlay() {
+  const auto& recording = session_.comparison.recording();
+  const QTemporaryDir folder;
+  QFile other(folder.filePath("before greasing.csv"));
+  if (!other.open(QIODevice::WriteOnly)) return;
+  other.write("time_s,angle_rad\n");
+  const auto time = recording->time(), angle = recording->channel("angle_rad");
+  constexpr size_t every = 10;
+  for (size_t row = 0; row < time.size(); row += every)
+    other.write(QString("%1,%2\n").arg(time[row] + 0.5, 0, 'f', 4).arg(1.06 * angle[row], 0, 'f', 5).toUtf8());
+  other.close();
+  session_.comparison.layBeneath(other.fileName());
+  if (!wait([this] { return session_.comparison.beneath().has_value(); }, 20'000)) trouble_ = "nothing lies beneath";
+  shoot("compare-overlay");
+  session_.comparison.layBeneath({});
 }
 
 /// Where the command that conceals is beside this one.

@@ -104,10 +104,10 @@ void ComparePage::buildInputs() {
   openHeldout_ = new FileSlot(
       "openHeldoutButton", tr("Held-out"),
       tr("A second recording to prove the findings on; without it, parts of the first are held out"), group);
-  openBeneath_ = new FileSlot(
-      "openBeneathButton", tr("Beneath"),
-      tr("Another recording that is drawn dashed beneath this one, from their beginnings; Runs lays a kept one there"),
-      group);
+  openBeneath_ = new FileSlot("openBeneathButton", tr("Beneath"),
+                              tr("Another recording that is drawn dashed beneath this one, from where both begin to "
+                                 "move; Runs lays a kept one there"),
+                              group);
   takeBeneathAway_ = toolButton(group, "takeBeneathAwayButton", "×", tr("Takes away what lies beneath"));
   takeBeneathAway_->setAccessibleName(tr("Take away what lies beneath"));
   for (QWidget* slot : {openBench_, openRecording_, openHeldout_}) column->addWidget(slot);
@@ -174,6 +174,8 @@ void ComparePage::buildFindings() {
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
   showExperiment();
   settings()->addWidget(group);
+  connect(findings_, &FindingsList::evidenceChosen, this,
+          [this](const QString& effect) { plots_->showEvidenceOf(effect); });
   connect(findings_, &FindingsList::axisChosen, this, [this](const QString& axis) { plots_->showResidualOver(axis); });
 }
 
@@ -282,6 +284,14 @@ void ComparePage::showTrial() {
 
 void ComparePage::showExperiment() {
   setAvailable(runExperiment_, experiment_.plan(), experiment_.obstacle());
+  showNext();
+}
+
+/// One button is to be pressed: to diagnose, and then to make the experiment that tells more, where the board can.
+void ComparePage::showNext() {
+  const bool experiment = comparison_.diagnosis() && runExperiment_->isEnabled();
+  dressAs(runExperiment_, "role", experiment ? "primary" : QString());
+  dressAs(diagnose_, "role", experiment ? QString() : "primary");
 }
 
 void ComparePage::showProgress() {
@@ -362,6 +372,7 @@ void ComparePage::showProof() {
                    : diagnosis->fit.inTorque()
                        ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)
                        : tr("As ticked, the error is %1").arg(off));
+  showNext();
   showHint();
   showState();
 }

@@ -53,6 +53,7 @@ class ComparePage : public Page {
   void showBeneath();
   void showTrial();
   void showExperiment();
+  void showNext();
   void showProgress();
   void showProof();
   void showLog();

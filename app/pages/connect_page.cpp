@@ -19,6 +19,7 @@
 #include "widgets/number_text.h"
 #include "widgets/profile_panel.h"
 #include "widgets/setting_words.h"
+#include "widgets/welcome_card.h"
 
 namespace breakaway {
 
@@ -61,8 +62,15 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, ProfileCompar
   connect_ = addSecondary("connectButton", tr("Connect"), connectWidth);
   disconnect_ = addSecondary("disconnectButton", tr("Disconnect"));
   settings()->addWidget(buildBoards(), 1);
-  picture()->addWidget(buildIdentity());
-  picture()->addWidget(buildProfile(), 1);
+  auto* welcome = new WelcomeCard(this);
+  welcome_ = welcome;
+  connect(welcome, &WelcomeCard::tryAsked, this, &ConnectPage::tryOut);
+  picture()->addWidget(welcome_, 1);
+  board_ = new QWidget(this);
+  auto* cards = columnIn(board_, picture()->spacing());
+  cards->addWidget(buildIdentity());
+  cards->addWidget(buildProfile(), 1);
+  picture()->addWidget(board_, 1);
   connect(&connection_, &Connection::changed, this, &ConnectPage::showConnection);
   connect(&connection_, &Connection::settingsChanged, this, &ConnectPage::showConnection);
   connect(&connection_, &Connection::runChanged, this, &ConnectPage::showMotion);
@@ -161,6 +169,11 @@ void ConnectPage::connectChosen() {
   if (const QString address = address_->text().trimmed(); !address.isEmpty()) connection_.open(address);
 }
 
+void ConnectPage::tryOut(const QString& page, bool needsBoard) {
+  if (needsBoard) connection_.open("simulated:servo");
+  emit pageAsked(page);
+}
+
 void ConnectPage::openRig() {
   files_.ask(this, {tr("Open a simulated rig"), tr("Rig file (*.rig.json)"), {}, false}, [this](const QString& path) {
     boards_->addRig(QFileInfo(path).fileName(), "simulated:" + path);
@@ -172,6 +185,11 @@ void ConnectPage::showConnection() {
   const bool connected = connection_.connected(), simulated = connection_.identity().simulated;
   const ConnectionState state = connection_.state();
   const bool trying = state == ConnectionState::connecting || state == ConnectionState::reconnecting;
+  const bool begins = state == ConnectionState::none || state == ConnectionState::failed;
+  if (begins || connected) {  // on the way to either, what is there stays
+    welcome_->setVisible(begins);
+    board_->setVisible(!begins);
+  }
   const bool anew = connected && address_->text().trimmed() == connection_.uri();
   connect_->setText(anew ? tr("Connect anew") : tr("Connect"));
   connect_->setAccessibleName(connect_->text());

@@ -32,6 +32,8 @@ class ConnectPage : public Page {
   StepState railState() const;
   void connectChosen();
   void openRig();
+  /// Goes to a page, with a simulated board where that needs one.
+  void tryOut(const QString& page, bool needsBoard);
   /// What follows once a board is connected.
   QString nextPage() const;
   void showConnection();
@@ -53,6 +55,8 @@ class ConnectPage : public Page {
   QPushButton* disconnect_ = nullptr;
   QPushButton* turn_ = nullptr;
   QComboBox* pace_ = nullptr;
+  QWidget* welcome_ = nullptr;  ///< as long as there is no board
+  QWidget* board_ = nullptr;    ///< what is told of it
   FactsTable* facts_ = nullptr;
   FactsTable* controller_ = nullptr;
 };

@@ -179,7 +179,10 @@ void IdentifyPage::showFacts() {
   const QString scale = inLanguage(motor.gauge);
   std::vector<Fact> facts{
       {linear ? tr("Force constant") : tr("Torque constant"),
-       estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant), scale},
+       motor.torqueConstant_Nm_per_A.standardError > 0.0
+           ? estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant)
+           : tr("%1, believed").arg(estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant)),
+       scale},
       {tr("Resistance"), estimateText(motor.resistance_ohm, 1.0, tr("Ω")), {}},
       {tr("Inductance"), estimateText(motor.inductance_H, 1e3, tr("mH")), {}},
       {linear ? tr("Mass") : tr("Inertia"), estimateText(motor.inertia_kg_m2, units.inertiaScale, units.inertia),

@@ -240,11 +240,13 @@ void TunePage::showLoop(bool position) {
 }
 
 void TunePage::showCurve() {
-  StepCurve curve = preview_.step;
-  if (position_) inShownPosition(curve, connection_.linear());
+  StepCurve curve = preview_.step, onBoard = onBoard_.step;
+  if (position_) {
+    for (StepCurve* one : {&curve, &onBoard}) inShownPosition(*one, connection_.linear());
+  }
   plot_->setQuantity(position_ ? (connection_.linear() ? tr("Position (mm)") : tr("Angle (°)"))
                                : tr("Speed (%1)").arg(unitsOf(connection_.identity().axis).speed));
-  plot_->foretell(curve);
+  plot_->foretell(curve, onBoard);
 }
 
 QWidget* TunePage::buildChips() {
@@ -430,7 +432,11 @@ void TunePage::foretell() {
   }
   showCurve();
   bode_->show(preview_.response, preview_.margins, onBoard_.response);
-  locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s);
+  locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s, onBoard_.locus,
+               edits_.accepted().observer_cutoff_rad_per_s);
+  for (const Slider& slider : sliders_)
+    if (slider.field == &ControllerSettings::observer_cutoff_rad_per_s)
+      slider.widget->setRule(preview_.tick_s > 0.0 ? std::optional(preview_.ruleOfThumb_rad_per_s) : std::nullopt);
   observerNoise_->show(preview_.observerNoise, goodNoise_A(edits_.edited().current_limit_A));
   showChips();
   showSteps();

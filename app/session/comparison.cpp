@@ -140,11 +140,7 @@ void Comparison::layBeneath(const QString& path, const QString& name) {
       read.linear = recording->has("position_m");
       const std::string channel = columnName(Quantity::position, read.linear ? Axis::linear : Axis::rotary);
       const auto position = recording->channel(channel);
-      if (!position.empty()) {
-        read.overview = std::make_shared<const Overview>(*recording, channel);
-        read.begin_s = recording->time().front();
-        read.first = position.front();
-      }
+      if (!position.empty()) read.overview = std::make_shared<const Overview>(*recording, channel);
     }
     return [this, mine, recording, read] {
       if (mine != wantedBeneath_) return;
@@ -175,7 +171,8 @@ void Comparison::forgetDiagnosis() {
   leftOut_.clear();
   base_ = shown_ = {};
   torque_.reset();
-  evidence_.reset();
+  evidences_.clear();
+  evidence_ = 0;
   prepareOverview();
   emit inputsChanged();
   emit diagnosisChanged();
@@ -267,13 +264,22 @@ void Comparison::gatherEvidence() {
   const auto& misread = diagnosis_->misread;
   inPool([this, mine = wanted_, diagnosis = *diagnosis_, bench = misread ? mended(*bench_, *misread) : *bench_,
           recording = *recording(), heldout = heldout_]() -> std::function<void()> {
-    const auto evidence = evidenceOf(diagnosis, bench, recording, heldout);
-    return [this, mine, evidence] {
+    const auto evidences = evidenceOf(diagnosis, bench, recording, heldout);
+    return [this, mine, evidences] {
       if (mine != wanted_) return;
-      evidence_ = evidence;
+      evidences_ = evidences;
+      evidence_ = 0;
       emit evidenceChanged();
     };
   });
+}
+
+void Comparison::chooseEvidence(const std::string& effect) {
+  const auto found = std::find_if(evidences_.begin(), evidences_.end(),
+                                  [&effect](const Evidence& one) { return one.effect == effect; });
+  if (found == evidences_.end()) return;
+  evidence_ = static_cast<size_t>(found - evidences_.begin());
+  emit evidenceChanged();
 }
 
 void Comparison::include(const std::string& effect, bool included) {

@@ -38,7 +38,6 @@ struct BeneathRecording {
   QString name;
   std::shared_ptr<const Overview> overview;
   bool linear = false;
-  double begin_s = 0.0, first = 0.0;  ///< time and position of its first row
 };
 
 class Comparison : public QObject {
@@ -95,8 +94,11 @@ class Comparison : public QObject {
   const Trace& shownTrace() const { return shown_; }
   /// What both leave of the torque, where that counts; it comes with shownTrace().
   const std::optional<TorqueView>& torque() const { return torque_; }
-  /// Of the first finding; it comes a little after the diagnosis.
-  const std::optional<Evidence>& evidence() const { return evidence_; }
+  /// Of the finding that was chosen, the first one at the beginning; it comes a little after the diagnosis.
+  const Evidence* evidence() const { return evidence_ < evidences_.size() ? &evidences_[evidence_] : nullptr; }
+  /// One for each finding that has an axis of its own.
+  const std::vector<Evidence>& evidences() const { return evidences_; }
+  void chooseEvidence(const std::string& effect);
   /// RMS of the shown simulation's position error over the held-out rows, or over all rows if those held out are of
   /// another recording.
   double shownRmse() const;
@@ -141,7 +143,8 @@ class Comparison : public QObject {
   unsigned wantedBeneath_ = 0;
   Trace base_, shown_;
   std::optional<TorqueView> torque_;
-  std::optional<Evidence> evidence_;
+  std::vector<Evidence> evidences_;
+  size_t evidence_ = 0;  ///< which of them is chosen
   unsigned wanted_ = 0;  ///< number of the newest simulation or diagnosis asked for; older answers are not shown
   bool diagnosing_ = false;
   double progress_ = 0.0;

@@ -11,16 +11,21 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-/// The axis on which the first finding is drawn, where residuals are mapped over it.
-std::string axisOf(const Diagnosis& diagnosis) {
-  if (!diagnosis.findings.empty()) {
-    const Effect* effect = findEffect(diagnosis.findings.front().effect);
-    if (effect != nullptr && !effect->drawnOver().empty() && effect->drawnOver() != "frequency")
-      return std::string(effect->drawnOver() == "travel" ? "reversal" : effect->drawnOver());
-  }
+/// The axis on which an effect is drawn, where residuals are mapped over it.
+std::string axisOf(const std::string& name) {
+  const Effect* effect = findEffect(name);
+  if (effect == nullptr || effect->drawnOver() == "frequency") return {};
+  return std::string(effect->drawnOver() == "travel" ? "reversal" : effect->drawnOver());
+}
+
+/// What there is to show: effects with their axes, else a place's.
+std::vector<std::pair<std::string, std::string>> wantedOf(const Diagnosis& diagnosis) {
+  std::vector<std::pair<std::string, std::string>> wanted;
+  for (const Finding& finding : diagnosis.findings)
+    if (const std::string axis = axisOf(finding.effect); !axis.empty()) wanted.emplace_back(finding.effect, axis);
   for (const Place& place : diagnosis.where)
-    if (place.axis != "frequency") return place.axis;
-  return {};
+    if (wanted.empty() && place.axis != "frequency") wanted.emplace_back("", place.axis);
+  return wanted;
 }
 
 const ResidualMap* mapOver(const std::string& axis, const std::vector<ResidualMap>& maps) {
@@ -32,10 +37,10 @@ const ResidualMap* mapOver(const std::string& axis, const std::vector<ResidualMa
 
 }  // namespace
 
-std::optional<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& bench, const Recording& recording,
-                                   const std::optional<Recording>& heldout) {
-  const std::string axis = axisOf(diagnosis);
-  if (axis.empty()) return {};
+std::vector<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& bench, const Recording& recording,
+                                 const std::optional<Recording>& heldout) {
+  const auto wanted = wantedOf(diagnosis);
+  if (wanted.empty()) return {};
   std::vector<Recording> others;
   if (heldout) others.push_back(*heldout);
   const auto prepared = prepare(bench, {recording}, others, diagnosis.fit.window_s);
@@ -43,9 +48,13 @@ std::optional<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& benc
   std::vector<Track> tracks = heldoutTracks(*prepared);
   if (tracks.empty()) tracks = prepared->training;
   const auto before = residualMaps(diagnosis.base, tracks, seed), after = residualMaps(diagnosis.model, tracks, seed);
-  const ResidualMap *one = mapOver(axis, before), *other = mapOver(axis, after);
-  if (one == nullptr || other == nullptr) return {};
-  return Evidence{QString::fromStdString(axis), diagnosis.base.axis == Axis::linear, *one, *other};
+  std::vector<Evidence> all;
+  for (const auto& [effect, axis] : wanted) {
+    const ResidualMap *one = mapOver(axis, before), *other = mapOver(axis, after);
+    if (one == nullptr || other == nullptr) continue;
+    all.push_back({effect, QString::fromStdString(axis), diagnosis.base.axis == Axis::linear, *one, *other});
+  }
+  return all;
 }
 
 }  // namespace breakaway

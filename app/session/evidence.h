@@ -4,6 +4,8 @@
 
 #include <QString>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "diagnose/diagnosis.h"
 #include "diagnose/verdict/where.h"
@@ -11,14 +13,15 @@
 namespace breakaway {
 
 struct Evidence {
+  std::string effect;   ///< the finding that it is of; empty: a place
   QString axis;         ///< as Place has it
   bool linear = false;  ///< N over m, instead of Nm over rad
   ResidualMap before, after;
 };
 
-/// Over the axis of the first finding, else of the first place; nothing where there is neither, or no map of it. Takes
-/// as long as preparing a fit does.
-std::optional<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& bench, const Recording& recording,
-                                   const std::optional<Recording>& heldout);
+/// Each finding's, over its own axis, where residuals are mapped over that; where no finding has one, the first
+/// place's; nothing where there is none either. Takes as long as preparing a fit does.
+std::vector<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& bench, const Recording& recording,
+                                 const std::optional<Recording>& heldout);
 
 }  // namespace breakaway

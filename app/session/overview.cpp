@@ -1,12 +1,14 @@
 #include "session/overview.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace breakaway {
 
 namespace {
 constexpr std::size_t finest = 64, factor = 8;  // rows of a stretch, and how many make one of the next level
-}
+constexpr double leftBy = 0.01;                 // of its range, before it counts as moving
+}  // namespace
 
 Overview::Overview(const Recording& recording, const std::string& channel)
     : recording_(recording), time_(recording_.time()), values_(recording_.channel(channel)) {
@@ -30,6 +32,16 @@ Overview::Overview(const Recording& recording, const std::string& channel)
   Extremes all = levels_.back().front();
   for (const Extremes& one : levels_.back()) add(all, one);
   if (!missing(all.least)) range_ = {values_[all.least], values_[all.greatest]};
+  findBegin();
+}
+
+void Overview::findBegin() {
+  std::size_t first = 0;
+  while (first + 1 < values_.size() && missing(first)) ++first;
+  const double away = leftBy * (range_.second - range_.first);
+  std::size_t row = first;
+  while (row < values_.size() && !(std::abs(values_[row] - values_[first]) > away)) ++row;
+  begin_ = {time_[row < values_.size() ? row : first], values_[first]};
 }
 
 /// Of the rows [first, last); rows without a value count only where there are no others.

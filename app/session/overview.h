@@ -24,6 +24,9 @@ class Overview {
   std::vector<Point> between(double from_s, double to_s, size_t pixels) const;
   /// Least and greatest value of all; 0 and 0 where there is none.
   std::pair<double, double> range() const { return range_; }
+  /// Where it first leaves its first value by a hundredth of its range: the time, and the first value; its first row
+  /// where nothing moves, and 0 and 0 without values.
+  Point begin() const { return begin_; }
 
  private:
   struct Extremes {
@@ -31,6 +34,7 @@ class Overview {
   };
 
   bool missing(std::size_t row) const { return values_[row] != values_[row]; }
+  void findBegin();
   Extremes extremesOf(std::size_t first, std::size_t last) const;
   void add(Extremes& all, const Extremes& part) const;
 
@@ -38,6 +42,7 @@ class Overview {
   std::span<const double> time_, values_;
   std::vector<std::vector<Extremes>> levels_;  ///< of stretches of 64 rows, 512, …
   std::pair<double, double> range_{0.0, 0.0};
+  Point begin_;
 };
 
 }  // namespace breakaway

@@ -1,6 +1,7 @@
 #include "widgets/board_bar.h"
 
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
@@ -48,17 +49,35 @@ class Dot : public QWidget {
   QColor colour_;
 };
 
+/// The program's icon, as sharp as the screen.
+class Sign : public QWidget {
+ public:
+  explicit Sign(QWidget* parent) : QWidget(parent) { setFixedSize(size_px, size_px); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    QIcon(":/icons/breakaway.svg").paint(&painter, rect());
+  }
+
+ private:
+  static constexpr int size_px = 26;
+};
+
 }  // namespace
 
 BoardBar::BoardBar(Connection& connection, QWidget* parent) : QWidget(parent), connection_(connection) {
   setObjectName("boardBar");
   setFixedHeight(height_px);
   auto* row = rowIn(this, 12, {0, 0, 16, 0});
-  auto* name = new QLabel(tr("Breakaway"), this);
+  auto* brand = new QWidget(this);
+  brand->setFixedWidth(railWidth - 12);
+  auto* name = new QLabel(tr("Breakaway"), brand);
   name->setFont(typed(Type::section));
-  name->setFixedWidth(railWidth - 12);
-  name->setContentsMargins(16, 0, 0, 0);
-  row->addWidget(name);
+  auto* side = rowIn(brand, 8, {14, 0, 0, 0});
+  side->addWidget(new Sign(brand));
+  side->addWidget(name, 1);
+  row->addWidget(brand);
   row->addWidget(buildBoard());
   simulated_ = new QLabel(tr("SIMULATED"), this);
   simulated_->setObjectName("simulatedLabel");

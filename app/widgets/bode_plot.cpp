@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "session/tuning_preview.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
@@ -121,28 +122,29 @@ void BodePlot::drawMargins() {
     item->setClipAxisRect(rect);
   };
   // The curves fall: beside the one mark they pass at the left, beside the other at the right.
-  const auto mark = [&](QCPAxisRect* rect, double frequency, double from, double to, const QString& figure,
+  const auto mark = [&](QCPAxisRect* rect, double frequency, double from, double to, const QString& figure, Grade grade,
                         Qt::AlignmentFlag side) {
+    const QColor ink = grade == Grade::good ? look.good : grade == Grade::warning ? look.warning : look.trouble;
     auto* line = new QCPItemLine(plot_);
     on(line, rect);
     line->start->setCoords(frequency, from);
     line->end->setCoords(frequency, to);
-    line->setPen(QPen(look.good, 2.4));
+    line->setPen(QPen(ink, 2.4));
     auto* text = new QCPItemText(plot_);
     on(text, rect);
     text->position->setCoords(frequency, 0.5 * (from + to));
     text->setPositionAlignment(side | Qt::AlignVCenter);
     text->setPadding(QMargins(5, 0, 5, 0));
     text->setText(figure);
-    text->setColor(look.good);
+    text->setColor(ink);
     text->setFont(typed(Type::caption, true));
   };
   if (margins_.phaseCrossover_rad_per_s > 0.0 && std::isfinite(margins_.gainMargin))
     mark(gain_, margins_.phaseCrossover_rad_per_s, -20.0 * std::log10(margins_.gainMargin), 0.0,
-         numberText(margins_.gainMargin), Qt::AlignLeft);
+         numberText(margins_.gainMargin), gradeOfGain(margins_), Qt::AlignLeft);
   if (margins_.gainCrossover_rad_per_s > 0.0 && std::isfinite(margins_.phaseMargin_rad))
     mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + phaseDegree * margins_.phaseMargin_rad,
-         tr("%1°").arg(phaseDegree * margins_.phaseMargin_rad, 0, 'f', 1), Qt::AlignRight);
+         tr("%1°").arg(phaseDegree * margins_.phaseMargin_rad, 0, 'f', 1), gradeOfPhase(margins_), Qt::AlignRight);
 }
 
 }  // namespace breakaway

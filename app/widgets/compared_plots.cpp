@@ -86,6 +86,11 @@ void ComparedPlots::showResidualOver(const QString& axis) {
   choose(false);
 }
 
+void ComparedPlots::showEvidenceOf(const QString& effect) {
+  comparison_.chooseEvidence(effect.toStdString());
+  choose(true);
+}
+
 std::pair<double, double> ComparedPlots::visible_s() const {
   return plots_->visible_s();
 }

@@ -23,6 +23,8 @@ class ComparedPlots : public QWidget {
 
   /// Shows the residual over this axis, named as in Place::axis.
   void showResidualOver(const QString& axis);
+  /// Shows what a finding rests on.
+  void showEvidenceOf(const QString& effect);
   /// From when to when the measurement is shown, in s.
   std::pair<double, double> visible_s() const;
   /// Whether what is visible can be kept, else why not.

@@ -15,4 +15,15 @@ class DegreeTicker : public QCPAxisTickerFixed {
   }
 };
 
+/// At parts of a turn that divide it evenly, as many as there is room for; finer than a degree by decimals.
+class RoundDegreeTicker : public QCPAxisTicker {
+ protected:
+  double getTickStep(const QCPRange& range) override {
+    const double wanted = range.size() / tickCount();
+    for (const double step : {1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0})
+      if (wanted > 0.5 && wanted <= step) return step;
+    return QCPAxisTicker::getTickStep(range);
+  }
+};
+
 }  // namespace breakaway

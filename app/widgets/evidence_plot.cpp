@@ -12,6 +12,8 @@
 #include "base/numbers.h"
 #include "session/comparison.h"
 #include "widgets/controls.h"
+#include "widgets/degree_ticker.h"
+#include "widgets/findings_list.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/residual_axis.h"
@@ -20,6 +22,7 @@ namespace breakaway {
 
 namespace {
 
+constexpr int textGap_px = 24;        // at both sides of a text in the head, and between two
 constexpr double nearSpacings = 2.5;  // of the middle one, between cells that a line joins
 constexpr double wideBar_px = 9.0, thinBar_px = 3.0, wideBarAlpha = 0.35;
 
@@ -73,12 +76,12 @@ void EvidencePlot::draw() {
   dress(*plot_, look);
   plot_->clearPlottables();
   plot_->clearItems();
-  const auto& evidence = comparison_.evidence();
+  const Evidence* evidence = comparison_.evidence();
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setVisible(evidence.has_value());
-    axis->grid()->setVisible(evidence.has_value());
+    axis->setVisible(evidence != nullptr);
+    axis->grid()->setVisible(evidence != nullptr);
   }
-  hint_->setVisible(!evidence);
+  hint_->setVisible(evidence == nullptr);
   hint_->setFont(typed(Type::body));
   hint_->setTextColor(look.muted);
   const bool nothing = comparison_.diagnosis() && comparison_.diagnosis()->findings.empty();
@@ -86,18 +89,18 @@ void EvidencePlot::draw() {
                          : tr("The residual torque over the finding's own axis comes with the diagnosis"));
   title_->setTextColor(look.ink);
   title_->setFont(typed(Type::caption));
-  title_->setVisible(evidence.has_value());
+  title_->setVisible(evidence != nullptr);
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setText(k == 0 ? tr("base model") : tr("with findings"));
     names_[k]->setTextColor(look.curve(k == 0 ? 1 : 0));
     names_[k]->setFont(typed(Type::caption, true));
-    names_[k]->setVisible(evidence.has_value());
+    names_[k]->setVisible(evidence != nullptr);
   }
-  if (evidence) {
+  if (evidence != nullptr) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
-    title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
-                                      : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
-                        .arg(axis.label()));
+    showTitle();
+    plot_->xAxis->setTicker(axis.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
+                                             : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
     plot_->xAxis->rescale();
@@ -105,6 +108,27 @@ void EvidencePlot::draw() {
     plot_->yAxis->rescale();
     plot_->yAxis->scaleRange(1.15);
   }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// With the finding's name where there is room for it.
+void EvidencePlot::showTitle() {
+  const Evidence* evidence = comparison_.evidence();
+  if (evidence == nullptr) return;
+  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
+                                          : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
+                            .arg(shownAxis(evidence->axis, evidence->linear).label());
+  const QString whole = evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title;
+  int room_px = width();
+  for (QCPTextElement* name : names_)
+    room_px -= QFontMetrics(name->font()).horizontalAdvance(name->text()) + textGap_px;
+  const bool fits = QFontMetrics(title_->font()).horizontalAdvance(whole) + textGap_px <= room_px;
+  title_->setText(fits ? whole : title);
+}
+
+void EvidencePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showTitle();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

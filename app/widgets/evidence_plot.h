@@ -27,9 +27,11 @@ class EvidencePlot : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void draw();
+  void showTitle();
   void drawMap(const ResidualMap& map, int colour);
   void read(double x);
 

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "session/comparison.h"
 #include "session/language.h"
@@ -45,6 +46,7 @@ FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QWidget(pa
   setToolTip(tr("What is missing, the most important first; untick one to see the fit without it"));
   columnIn(this);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &FindingsList::rebuild);
+  connect(&comparison_, &Comparison::evidenceChanged, this, &FindingsList::showLinks);
   rebuild();
 }
 
@@ -57,6 +59,7 @@ void FindingsList::rebuild() {
   content_ = new QWidget(this);
   layout()->addWidget(content_);
   auto* column = columnIn(content_, 8);
+  links_.clear();
   if (const auto& diagnosis = comparison_.diagnosis()) {
     for (const Finding& finding : diagnosis->findings) addFinding(*column, finding);
     if (diagnosis->findings.empty() && !diagnosis->misread)
@@ -73,6 +76,14 @@ void FindingsList::rebuild() {
                         "is, and how much better the simulation gets on data that was held out."));
   }
   content_->show();
+  showLinks();
+}
+
+/// To the evidence of each finding that has some.
+void FindingsList::showLinks() {
+  for (const auto& [effect, link] : links_)
+    link->setVisible(std::any_of(comparison_.evidences().begin(), comparison_.evidences().end(),
+                                 [name = effect](const Evidence& one) { return one.effect == name; }));
 }
 
 void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {
@@ -90,6 +101,15 @@ void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {
                                                .arg(100.0 * finding.share, 0, 'f', 0)
                                                .arg(numberText(100.0 * finding.pValue, 2)))));
   addText(column, inLanguage(finding.sentence));
+  auto* link = new QLabel(
+      QString("<a href='%1'>%2</a>").arg(QString::fromStdString(finding.effect), tr("Its evidence")), parent);
+  link->setObjectName("evidence_" + QString::fromStdString(finding.effect));
+  link->setToolTip(tr("The residual over this finding's own axis, before and after"));
+  link->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  link->setFocusPolicy(Qt::StrongFocus);
+  connect(link, &QLabel::linkActivated, this, &FindingsList::evidenceChosen);
+  column.addWidget(link);
+  links_.emplace_back(finding.effect, link);
   for (const Parameter& parameter : finding.parameters)
     column.addWidget(wrapped(caption(parent, wordsOf(parameter).line())));
   if (!finding.ambiguousWith.empty()) addText(column, tr("Could also be: %1.").arg(names(finding.ambiguousWith)));

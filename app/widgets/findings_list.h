@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
+#include <utility>
+#include <vector>
 
 class QVBoxLayout;
 
@@ -19,15 +22,19 @@ class FindingsList : public QWidget {
  signals:
   /// A place on this axis was chosen.
   void axisChosen(const QString& axis);
+  /// What this finding rests on is to be shown.
+  void evidenceChosen(const QString& effect);
 
  private:
   void rebuild();
+  void showLinks();
   void addFinding(QVBoxLayout& column, const Finding& finding);
   void addPlaces(QVBoxLayout& column);
   void addText(QVBoxLayout& column, const QString& text, const char* objectName = "");
 
   Comparison& comparison_;
   QWidget* content_ = nullptr;
+  std::vector<std::pair<std::string, QWidget*>> links_;  ///< effect, and what leads to its evidence
 };
 
 /// "Cogging" from `cogging`, "Load dependent friction" from `load_dependent_friction`.

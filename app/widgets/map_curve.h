@@ -13,8 +13,8 @@ struct MapPoint {
   bool outlier = false;
 };
 
-/// What a curve is of: what is shown, an earlier map beneath it, or how they differ, drawn outside around where they
-/// don't.
+/// What a curve is of: what is shown, an earlier map beneath it, or how they differ, drawn outside all others
+/// around where they don't.
 enum class MapPart { shown, earlier, difference, noDifference };
 
 struct MapCurve {
@@ -26,6 +26,11 @@ struct MapCurve {
   MapPart part = MapPart::shown;
   double lifted = 0.0;  ///< how much higher its values are drawn than they are
 };
+
+/// Whether it is of how the two maps differ: its values are lifted above all others.
+inline bool ofDifference(const MapCurve& curve) {
+  return curve.part == MapPart::difference || curve.part == MapPart::noDifference;
+}
 
 /// "20.1 ± 0.12 mNm (95 %), outlier": the value and its doubt as a hovering hand reads them.
 QString readingOf(const MapPoint& point, const QString& unit);

@@ -11,7 +11,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double outside = 1.25;  // times the highest value, where the ring has no difference
+constexpr double outside = 1.08;  // times the highest value, what the ring keeps away from the centre
 
 QString ghostWords(const char* text) {
   return QCoreApplication::translate("MapGhost", text);
@@ -46,13 +46,17 @@ double highestOf(const MapPicture& picture) {
 }
 
 void addRing(const FrictionMap& earlier, const FrictionMap& now, const Quantity& quantity, MapPicture& picture) {
-  const double zero = outside * highestOf(picture);
+  const std::vector<Estimate> differences = meanDifference(earlier, now, quantity.of);
+  double most = 0.0;
+  for (const Estimate& one : differences)
+    if (std::isfinite(one.value)) most = std::max(most, std::abs(quantity.scale * one.value));
+  const double zero = outside * highestOf(picture) + most;  // no difference reaches down to what differs
   MapCurve none{ghostWords(QT_TRANSLATE_NOOP("MapGhost", "no difference")), 2, true, true, {}};
   MapCurve ring{ghostWords(QT_TRANSLATE_NOOP("MapGhost", "now − earlier")), 2, false, true, {}};
   none.part = MapPart::noDifference;
   ring.part = MapPart::difference;
   none.lifted = ring.lifted = zero;
-  for (const Estimate& one : meanDifference(earlier, now, quantity.of)) {
+  for (const Estimate& one : differences) {
     const double at = now.bins[ring.points.size()].angle_rad;
     ring.points.push_back({at, zero + quantity.scale * one.value, quantity.scale * one.standardError, false});
     none.points.push_back({at, zero, 0.0, false});

@@ -162,8 +162,11 @@ QWidget* MapPanel::buildRotor() {
   corners->addWidget(polar_, 0, 0, 1, 2);
   corners->addWidget(quantity_, 0, 0, Qt::AlignTop);
   corners->addWidget(legend_, 0, 1, Qt::AlignTop | Qt::AlignRight);
+  ringLegend_ = legendIn(around, "ringLegend");
+  ringLegend_->setContentsMargins(4, 0, 0, 4);
+  corners->addWidget(ringLegend_, 0, 0, Qt::AlignBottom | Qt::AlignLeft);
   corners->setColumnStretch(0, 1);
-  for (QWidget* words : {static_cast<QWidget*>(quantity_), static_cast<QWidget*>(legend_)})
+  for (QWidget* words : std::initializer_list<QWidget*>{quantity_, legend_, ringLegend_})
     words->setAttribute(Qt::WA_TransparentForMouseEvents);
   columnOf(around)->addLayout(corners, 1);
   row->addWidget(around, 1);
@@ -255,6 +258,7 @@ void MapPanel::showMap() {
   if (!linear) showBeside(picture);
   showFigure(picture);
   showLegend(picture.curves);
+  showRingLegend(picture);
   emit reading(picture.curves.empty() ? known_.knows(Known::index) ? tr("The map grows here, breakaway by breakaway")
                                                                    : tr("A sweep homes first; then the map grows here")
                                       : tr("Point at the plot, or use its arrow keys, to read a value"));
@@ -349,8 +353,9 @@ void MapPanel::showLegend(const std::vector<MapCurve>& curves) {
                  .arg(colour.name(), dashed ? "╌" : "─", name.toHtmlEscaped());
   };
   bool outliers = false, earlier = false;
+  const bool around = known_.identity.axis != Axis::linear;  // where the differences are a ring of cells
   for (const MapCurve& curve : curves) {
-    if (curve.part == MapPart::noDifference) continue;
+    if (curve.part == MapPart::noDifference || (around && curve.part == MapPart::difference)) continue;
     // Of the earlier map one line is enough: its curves have the colours of those above them.
     if (curve.part == MapPart::earlier && earlier) continue;
     earlier = earlier || curve.part == MapPart::earlier;
@@ -363,6 +368,29 @@ void MapPanel::showLegend(const std::vector<MapCurve>& curves) {
     parts << QString("<span style='color:%1; font-weight:600'>✕ %2</span>").arg(look.trouble.name(), tr("outlier"));
   legend_->setText(parts.join("<br>"));
   travelLegend_->setText(parts.join(" &nbsp; "));
+}
+
+/// Of the ring's two ends.
+void MapPanel::showRingLegend(const MapPicture& picture) {
+  const auto ring = std::find_if(picture.curves.begin(), picture.curves.end(),
+                                 [](const MapCurve& curve) { return curve.part == MapPart::difference; });
+  ringLegend_->setVisible(ring != picture.curves.end());
+  if (ring == picture.curves.end()) return;
+  double least = 0.0, most = 0.0;
+  for (const MapPoint& point : ring->points) {
+    if (!std::isfinite(point.value)) continue;
+    least = std::min(least, point.value - ring->lifted);
+    most = std::max(most, point.value - ring->lifted);
+  }
+  const Look& look = Look::of(palette());
+  QStringList lines{ring->name.toHtmlEscaped()};
+  for (const double by : {most, least}) {
+    if (by == 0.0) continue;
+    lines << QString("<span style='color:%1; font-weight:600'>■ %2%3 %4</span>")
+                 .arg(ringInk(look, by, std::abs(by)).name(), by > 0.0 ? "+" : "−", numberText(std::abs(by), 2),
+                      picture.unit);
+  }
+  ringLegend_->setText(lines.join("<br>"));
 }
 
 bool MapPanel::savePicture(const QString& path, bool svg) {

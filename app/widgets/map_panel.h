@@ -53,6 +53,7 @@ class MapPanel : public QWidget {
   void showMap();
   void showBeside(const MapPicture& picture);
   void showLegend(const std::vector<MapCurve>& curves);
+  void showRingLegend(const MapPicture& picture);
   std::optional<Estimate> average() const;
   void showFigure(const MapPicture& picture);
   MapPlot& plot() const;
@@ -79,7 +80,7 @@ class MapPanel : public QWidget {
   QLabel* twinQuantity_ = nullptr;
   QLabel* harmonicsTitle_ = nullptr;
   QLabel* travelQuantity_ = nullptr;
-  QLabel* legend_ = nullptr;
+  QLabel *legend_ = nullptr, *ringLegend_ = nullptr;
   QLabel* travelLegend_ = nullptr;
 };
 

@@ -57,10 +57,11 @@ void MapPlot::setFromZero(bool fromZero) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-std::pair<double, double> MapPlot::valueRange(double doubt, double below) const {
+std::pair<double, double> MapPlot::valueRange(double doubt, double below, bool withDifferences) const {
   double least = std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::lowest();
   for (const MapCurve& curve : curves_) {
+    if (!withDifferences && ofDifference(curve)) continue;
     for (const MapPoint& point : curve.points) {
       if (!std::isfinite(point.value)) continue;
       least = std::min(least, point.value - doubt * point.standardError);
@@ -103,6 +104,7 @@ QString MapPlot::readingAt(const QPointF& pixel) {
   double nearest = near_px;
   QString text;
   for (size_t curve = 0; curve < curves_.size(); ++curve) {
+    if (curves_[curve].part == MapPart::noDifference) continue;  // says nothing of the motor
     for (size_t point = 0; point < curves_[curve].points.size(); ++point) {
       const QPointF away = pixelOf(curves_[curve].points[point]) - pixel;
       const double distance = std::hypot(away.x(), away.y());

@@ -49,8 +49,8 @@ class MapPlot : public QWidget {
   virtual QString placeOf(const MapPoint& point) const = 0;
 
   /// Least and highest value to show, of `doubt` times the standard errors, too. Where the scale doesn't begin at zero,
-  /// `below` of the values' span stays free beneath them.
-  std::pair<double, double> valueRange(double doubt, double below) const;
+  /// `below` of the values' span stays free beneath them. Differences from an earlier map count only `withDifferences`.
+  std::pair<double, double> valueRange(double doubt, double below, bool withDifferences) const;
   /// What its axis of values has to say by itself: nothing on the page, whose heading does.
   QString axisTitle() const { return inFile_ ? quantity_ : QString(); }
   QCustomPlot& canvas() const { return *plot_; }

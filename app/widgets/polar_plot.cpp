@@ -44,6 +44,7 @@ class RimTicker : public DegreeTicker {
 };
 
 constexpr int figureGap_px = 26, rim_px = 19, besideRim_px = 11;
+constexpr double ringInner = 0.925, ringOuter = 0.985, ringRoom = 0.9;  // of the circle's radius
 constexpr double roomForFigure = 0.6;  // of what the values span, in the middle where the radius begins above zero
 
 /// The stretch between two curves around the rotor.
@@ -78,11 +79,58 @@ class Band : public QCPAbstractItem {
   QColor fill_;
 };
 
+/// Around the rotor how much an earlier map differed: a cell for each place, the darker the more; pale within its
+/// doubt.
+class Ring : public QCPAbstractItem {
+ public:
+  Ring(QCustomPlot* plot, QCPPolarAxisAngular* axis, const MapCurve& curve, const Look& look)
+      : QCPAbstractItem(plot), axis_(axis), curve_(curve), look_(look) {}
+  double selectTest(const QPointF&, bool, QVariant*) const override { return -1.0; }
+
+ protected:
+  void draw(QCPPainter* painter) override {
+    double most = 0.0;
+    for (const MapPoint& point : curve_.points)
+      if (std::isfinite(point.value)) most = std::max(most, std::abs(point.value - curve_.lifted));
+    const double whole_deg = 360.0, step_deg = whole_deg / static_cast<double>(curve_.points.size());
+    painter->setAntialiasing(true);
+    painter->setPen(Qt::NoPen);
+    for (const MapPoint& point : curve_.points) {
+      const double by = point.value - curve_.lifted, at_deg = point.at * 180.0 / std::numbers::pi;
+      if (!std::isfinite(by)) continue;
+      const bool told = std::abs(by) > normal95 * point.standardError;
+      painter->setBrush(told ? ringInk(look_, by, most) : look_.grid);
+      QPainterPath cell;
+      cell.arcMoveTo(circle(ringOuter), at_deg - 0.5 * step_deg);
+      cell.arcTo(circle(ringOuter), at_deg - 0.5 * step_deg, step_deg);
+      cell.arcTo(circle(ringInner), at_deg + 0.5 * step_deg, -step_deg);
+      cell.closeSubpath();
+      painter->drawPath(cell);
+    }
+  }
+
+ private:
+  QRectF circle(double share) const {
+    const double radius = share * axis_->radius();
+    return {axis_->center() - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)};
+  }
+
+  QCPPolarAxisAngular* axis_;
+  MapCurve curve_;
+  const Look& look_;
+};
+
 double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
 }
 
 }  // namespace
+
+QColor ringInk(const Look& look, double by, double most) {
+  constexpr double least = 0.15;  // of the colour, where the difference is just beyond its doubt
+  const double share = most > 0.0 ? std::min(1.0, std::abs(by) / most) : 0.0;
+  return mixed(look.surface, look.curve(by > 0.0 ? 3 : 2), least + (1.0 - least) * share);
+}
 
 PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
     : MapPlot(objectName, tr("Polar plot around the rotor; arrow keys read the points"), {800, 800}, parent) {
@@ -155,8 +203,12 @@ void PolarPlot::draw(const Look& look) {
   graphs_.clear();
   for (QCPAbstractItem* band : bands_) canvas().removeItem(band);
   bands_.clear();
-  for (const MapCurve& curve : curves()) drawBand(curve, look);
-  for (const MapCurve& curve : curves()) drawCurve(curve, look);
+  for (const MapCurve& curve : curves()) {
+    if (curve.part == MapPart::difference) drawRing(curve, look);
+    if (!ofDifference(curve)) drawBand(curve, look);
+  }
+  for (const MapCurve& curve : curves())
+    if (!ofDifference(curve)) drawCurve(curve, look);
   for (size_t k = 0; k < figure_.size(); ++k) {
     figure_[k]->setFont(typed(k == 1 ? Type::figure : Type::caption));
     figure_[k]->setColor(k == 1 ? look.ink : look.muted);
@@ -171,6 +223,10 @@ void PolarPlot::draw(const Look& look) {
   mark_->setLineStyle(QCPPolarGraph::lsNone);
   mark_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(look.ink, 2), Qt::NoBrush, 11));
   rescale();
+}
+
+void PolarPlot::drawRing(const MapCurve& curve, const Look& look) {
+  bands_.push_back(new Ring(&canvas(), axis_, curve, look));
 }
 
 QCPPolarGraph* PolarPlot::addGraph() {
@@ -204,16 +260,24 @@ void PolarPlot::drawCurve(const MapCurve& curve, const Look& look) {
 }
 
 void PolarPlot::rescale() {
-  const auto [lower, upper] = valueRange(0.0, roomForFigure);
-  axis_->radialAxis()->setRange(lower, upper);
+  const auto [lower, upper] = valueRange(0.0, roomForFigure, false);
+  const bool ring = std::any_of(curves().begin(), curves().end(), ofDifference);
+  highest_ = upper;
+  axis_->radialAxis()->setRange(lower, ring ? lower + (upper - lower) / ringRoom : upper);
 }
 
 QPointF PolarPlot::pixelOf(const MapPoint& point) const {
-  return axis_->radialAxis()->coordToPixel(degrees(point.at), point.value);
+  return axis_->radialAxis()->coordToPixel(degrees(point.at), radiusOf(point));
+}
+
+/// What lies above all curves is in the ring's middle.
+double PolarPlot::radiusOf(const MapPoint& point) const {
+  const QCPRange range = axis_->radialAxis()->range();
+  return point.value > highest_ ? range.lower + 0.5 * (ringInner + ringOuter) * range.size() : point.value;
 }
 
 void PolarPlot::mark(const MapPoint& point) {
-  mark_->setData({degrees(point.at)}, {point.value}, true);
+  mark_->setData({degrees(point.at)}, {radiusOf(point)}, true);
 }
 
 QString PolarPlot::placeOf(const MapPoint& point) const {

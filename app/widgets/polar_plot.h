@@ -13,6 +13,9 @@ class QCPItemText;
 
 namespace breakaway {
 
+/// Of a cell of the ring of differences: `by` in the plot's unit, `most` the largest of them.
+QColor ringInk(const Look& look, double by, double most);
+
 class PolarPlot : public MapPlot {
   Q_OBJECT
 
@@ -29,14 +32,17 @@ class PolarPlot : public MapPlot {
   QString placeOf(const MapPoint& point) const override;
 
  private:
+  double radiusOf(const MapPoint& point) const;
   void drawCurve(const MapCurve& curve, const Look& look);
   void drawBand(const MapCurve& curve, const Look& look);
+  void drawRing(const MapCurve& curve, const Look& look);
   QCPPolarGraph* addGraph();
 
   QCPPolarAxisAngular* axis_ = nullptr;
   QCPPolarGraph* mark_ = nullptr;
   std::vector<QCPPolarGraph*> graphs_;
   std::vector<QCPAbstractItem*> bands_;
+  double highest_ = 0.0;                 ///< of what is drawn as a curve: what lies above is the ring's
   std::array<QCPItemText*, 2> sides_{};  ///< what 0° and 180° are called
   std::array<QCPItemText*, 3> figure_{};
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStackedWidget>
+#include <optional>
 
 namespace breakaway {
 
@@ -17,10 +18,13 @@ class PositionView : public QStackedWidget {
 
  private:
   bool refresh();
+  /// How far the rotor has come since its homing began.
+  void followHoming(std::optional<double> angle_rad);
 
   const Connection& connection_;
   const BenchRuns& bench_;
   const LiveSamples& live_;
+  std::optional<double> begin_rad_;  ///< of the homing that runs
   RotorDial* dial_ = nullptr;
   TravelStrip* strip_ = nullptr;
 };

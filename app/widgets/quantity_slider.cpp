@@ -3,8 +3,10 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyleOptionSlider>
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +37,47 @@ class ShortBox : public QDoubleSpinBox {
 
 }  // namespace
 
+/// With a mark where the board's value is, once another one is chosen, and the stretch in which a rule is broken.
+class QuantitySlider::MarkedSlider : public QSlider {
+ public:
+  using QSlider::QSlider;
+
+  void showMarks(std::optional<int> board, std::optional<int> rule) {
+    if (board == board_ && rule == rule_) return;
+    board_ = board;
+    rule_ = rule;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QSlider::paintEvent(event);
+    if (!board_ && !rule_) return;
+    constexpr int markReach_px = 8, markWidth_px = 3, grooveHeight_px = 4;
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    const auto at = [&](int position) {
+      return handle.width() / 2 +
+             QStyle::sliderPositionFromValue(minimum(), maximum(), position, width() - handle.width());
+    };
+    const Look& look = Look::of(palette());
+    QPainter painter(this);
+    painter.setClipRegion(QRegion(rect()) - QRegion(handle, QRegion::Ellipse));
+    const int middle = handle.center().y() + 1;
+    if (rule_) {
+      const int from = at(*rule_);
+      painter.fillRect(from, middle - grooveHeight_px / 2, width() - from, grooveHeight_px, look.trouble);
+    }
+    if (board_)
+      painter.fillRect(at(*board_) - markWidth_px / 2, middle - markReach_px, markWidth_px, 2 * markReach_px,
+                       look.curve(3));
+  }
+
+ private:
+  std::optional<int> board_, rule_;
+};
+
 QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, const QString& unit,
                                const QString& help, QWidget* parent)
     : QWidget(parent), help_(help) {
@@ -47,7 +90,7 @@ QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, 
   onBoard_ = new ElidedLabel("", this);
   onBoard_->setFont(typed(Type::caption));
   onBoard_->setProperty("tone", "muted");
-  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_ = new MarkedSlider(Qt::Horizontal, this);
   slider_->setObjectName(objectName + "Slider");
   slider_->setAccessibleName(title);
   slider_->setRange(0, travel);
@@ -88,6 +131,11 @@ void QuantitySlider::setOnBoard(std::optional<double> value) {
   showEdit();
 }
 
+void QuantitySlider::setRule(std::optional<double> most) {
+  rule_ = most;
+  showEdit();
+}
+
 void QuantitySlider::showEdit() {
   // What the box can't show isn't an edit.
   const bool edited = board_ && std::abs(*board_ - box_->value()) > 0.6 * std::pow(10.0, -box_->decimals());
@@ -96,6 +144,8 @@ void QuantitySlider::showEdit() {
                              : tr("as on board"));
   dressAs(onBoard_, "tone", edited ? "warning" : "muted");
   dressAs(box_, "edited", edited ? "true" : "false");
+  slider_->showMarks(edited ? std::optional(positionOf(*board_)) : std::nullopt,
+                     rule_ && *rule_ < range_.most ? std::optional(positionOf(*rule_)) : std::nullopt);
 }
 
 void QuantitySlider::setUnit(const QString& unit) {

@@ -33,6 +33,8 @@ class QuantitySlider : public QWidget {
   void setRange(const QuantityRange& range);
   /// What the board has: shown beneath the title, and as an edit where it is another than value().
   void setOnBoard(std::optional<double> value);
+  /// From here on a rule is broken, which the groove shows; empty: no rule.
+  void setRule(std::optional<double> most);
   void setUnit(const QString& unit);
   void setAvailable(bool available, const QString& reason);
 
@@ -41,6 +43,8 @@ class QuantitySlider : public QWidget {
   void chosen(double value);
 
  private:
+  class MarkedSlider;
+
   int positionOf(double value) const;
   double valueOf(int position) const;
   void takeSlider(int position);
@@ -49,11 +53,11 @@ class QuantitySlider : public QWidget {
 
   QString help_;
   QuantityRange range_;
-  QSlider* slider_ = nullptr;
+  MarkedSlider* slider_ = nullptr;
   QDoubleSpinBox* box_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* onBoard_ = nullptr;
-  std::optional<double> board_;
+  std::optional<double> board_, rule_;
 };
 
 }  // namespace breakaway

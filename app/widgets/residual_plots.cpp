@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "session/comparison.h"
 #include "widgets/controls.h"
+#include "widgets/degree_ticker.h"
 #include "widgets/look.h"
 #include "widgets/residual_axis.h"
 #include "widgets/seconds_ticker.h"
@@ -41,7 +42,6 @@ void ResidualPlots::buildPlot() {
   plot_->setAccessibleName(tr("Measurement over simulation, and the residual beneath"));
   plot_->setMinimumSize(200, 120);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-  plot_->setNotAntialiasedElements(QCP::aePlottables);
   // Line by line: the outline of a thick polyline of many points takes Qt's rasteriser time with their square.
   plot_->setPlottingHint(QCP::phFastPolylines);
   plot_->plotLayout()->clear();
@@ -220,7 +220,11 @@ double ResidualPlots::scale() const {
 /// No axis stands there before there is something to draw on it.
 void ResidualPlots::nameParts() {
   const bool diagnosed = !comparison_.shownTrace().position.empty();
-  const QString over = shownAxis(axis_, linear()).label();
+  const ShownAxis shown = shownAxis(axis_, linear());
+  const QString over = shown.label();
+  below_->axis(QCPAxis::atBottom)
+      ->setTicker(shown.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
+                                    : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
   for (QCPAxisRect* rect : {above_, below_}) {
     const bool drawn = rect == above_ ? comparison_.recording().has_value() : diagnosed;
     for (QCPAxis* axis : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atBottom)}) {
@@ -258,7 +262,16 @@ void ResidualPlots::drawMeasured() {
   QVector<QCPGraphData> points;
   for (const Overview::Point& point : overview->between(from_s, to_s, mostParts()))
     points.append(QCPGraphData(point.time_s, scale() * point.value));
-  measured_->data()->set(points, true);
+  drawSmooth(*measured_, points);
+}
+
+/// What goes to and fro within every few pixels fills them, and smoothing its edges would only take time.
+void ResidualPlots::drawSmooth(QCPGraph& graph, const QVector<QCPGraphData>& points) {
+  qsizetype turns = 0;
+  for (qsizetype k = 2; k < points.size(); ++k)
+    if ((points[k].value - points[k - 1].value) * (points[k - 1].value - points[k - 2].value) < 0.0) ++turns;
+  graph.setAntialiased(turns < static_cast<qsizetype>(mostParts()) / 2);
+  graph.data()->set(points, true);
 }
 
 /// More than such widths of the measured line can't be told apart.
@@ -266,19 +279,18 @@ size_t ResidualPlots::mostParts() const {
   return static_cast<size_t>(std::max(200, above_->width() / measuredWidth_px));
 }
 
-/// Both recordings begin at the same time and place: encoders count from anywhere.
+/// Both begin to move at the same time and place: encoders count from anywhere, and nobody starts two recordings alike.
 void ResidualPlots::drawBeneath() {
   const auto& beneath = comparison_.beneath();
-  const auto& recording = comparison_.recording();
-  if (!beneath || !recording || beneath->linear != linear()) return;
-  const auto position = recording->channel(linear() ? "position_m" : "angle_rad");
-  const double later_s = recording->time().front() - beneath->begin_s;
-  const double higher = position.empty() ? 0.0 : position.front() - beneath->first;
+  const auto& overview = comparison_.overview();
+  if (!beneath || !overview || beneath->linear != linear()) return;
+  const Overview::Point here = overview->begin(), there = beneath->overview->begin();
+  const double later_s = here.time_s - there.time_s, higher = here.value - there.value;
   const auto [from_s, to_s] = visible_s();
   QVector<QCPGraphData> points;
   for (const Overview::Point& point : beneath->overview->between(from_s - later_s, to_s - later_s, mostParts()))
     points.append(QCPGraphData(point.time_s + later_s, scale() * (point.value + higher)));
-  beneath_->data()->set(points, true);
+  drawSmooth(*beneath_, points);
 }
 
 void ResidualPlots::drawMeasurement(const Recording& recording) {
@@ -291,7 +303,7 @@ void ResidualPlots::drawMeasurement(const Recording& recording) {
   points.reserve(static_cast<qsizetype>(simulated.size()));
   for (size_t row = 0; row < std::min(simulated.size(), time.size()); ++row)
     points.append(QCPGraphData(time[row], scale() * simulated[row]));
-  simulated_->data()->set(points, true);
+  drawSmooth(*simulated_, points);
   QCPRange range;
   if (const auto& overview = comparison_.overview())
     range = QCPRange(scale() * overview->range().first, scale() * overview->range().second);
@@ -350,6 +362,7 @@ void ResidualPlots::drawPoints(QCPGraph& graph, const QVector<QCPGraphData>& poi
   const bool line = axis_ == "time";
   graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
   graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
+  graph.setAntialiased(false);  // as many as there are rows
   graph.setAdaptiveSampling(line);
   graph.data()->set(points, line);
 }

@@ -57,6 +57,7 @@ class ResidualPlots : public QWidget {
   void nameParts();
   void drawMeasured();
   void drawBeneath();
+  void drawSmooth(QCPGraph& graph, const QVector<QCPGraphData>& points);
   size_t mostParts() const;
   void drawMeasurement(const Recording& recording);
   void drawResiduals(const Recording& recording);

@@ -1,6 +1,7 @@
 #include "widgets/rotor_dial.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,13 @@ void RotorDial::show(std::optional<double> angle_rad, std::optional<double> inde
   update();
 }
 
+void RotorDial::showWay(std::optional<double> begin_rad, std::optional<double> most_rad) {
+  if (begin_rad_ == begin_rad && most_rad_ == most_rad) return;
+  begin_rad_ = begin_rad;
+  most_rad_ = most_rad;
+  update();
+}
+
 void RotorDial::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -39,6 +47,7 @@ void RotorDial::paintEvent(QPaintEvent*) {
   const double radius = 0.5 * std::min(width(), height()) - 34.0;
   if (radius < leastRadius) return;
   paintScale(painter, radius);
+  if (angle_rad_ && begin_rad_) paintWay(painter, radius);
   if (angle_rad_) paintHand(painter, radius);
 }
 
@@ -64,6 +73,20 @@ void RotorDial::paintScale(QPainter& painter, double radius) const {
       QPolygonF{onCircle(0.0, radius - 1), onCircle(0.045, radius - 20), onCircle(-0.045, radius - 20)});
 }
 
+void RotorDial::paintWay(QPainter& painter, double radius) const {
+  const Look& look = Look::of(palette());
+  constexpr double width_px = 8.0, inside_px = 24.0, turn_deg = 360.0, sixteenths = 16.0;
+  const double zero_rad = index_rad_.value_or(0.0), degree = 180.0 / std::numbers::pi;
+  const double way_deg = std::clamp((*angle_rad_ - *begin_rad_) * degree, -turn_deg, turn_deg);
+  const double at = radius - inside_px;
+  painter.setPen(QPen(look.measured(0), width_px, Qt::SolidLine, Qt::FlatCap));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawArc(
+      QRectF(-at, -at, 2.0 * at, 2.0 * at),
+      static_cast<int>(std::lround(std::remainder((*begin_rad_ - zero_rad) * degree, turn_deg) * sixteenths)),
+      static_cast<int>(std::lround(way_deg * sixteenths)));
+}
+
 void RotorDial::paintHand(QPainter& painter, double radius) const {
   const Look& look = Look::of(palette());
   const double shown_rad = *angle_rad_ - index_rad_.value_or(0.0);
@@ -79,6 +102,10 @@ void RotorDial::paintHand(QPainter& painter, double radius) const {
   painter.setPen(look.muted);
   painter.setFont(typed(Type::caption));
   painter.drawText(QRectF(-80, 18, 160, 20), Qt::AlignCenter, index_rad_ ? tr("from the index") : tr("from power-up"));
+  if (!most_rad_) return;
+  painter.setPen(look.accentLine);
+  painter.drawText(QRectF(-80, 36, 160, 20), Qt::AlignCenter,
+                   tr("%1° to go at most").arg(*most_rad_ * 180.0 / std::numbers::pi, 0, 'f', 0));
 }
 
 }  // namespace breakaway

@@ -98,8 +98,9 @@ void StepPlot::show(const std::vector<StepResult>& steps) {
   draw();
 }
 
-void StepPlot::foretell(const StepCurve& curve) {
+void StepPlot::foretell(const StepCurve& curve, const StepCurve& onBoard) {
   foretold_ = curve;
+  onBoard_ = onBoard;
   draw();
 }
 
@@ -123,11 +124,12 @@ void StepPlot::draw() {
     }
   }
   plot_->clearGraphs();
-  double settled = settled_ms(foretold_);
+  double settled = std::max(settled_ms(foretold_), settled_ms(onBoard_));
   for (size_t k = firstDrawn(steps_.size()); k < steps_.size(); ++k) {
     drawCurve(steps_[k].curve, QPen(look.measured(colourOf(k)), 3.0));
     settled = std::max(settled, settled_ms(steps_[k].curve));
   }
+  drawCurve(onBoard_, QPen(look.curve(3), 1.2, Qt::DashLine));
   drawCurve(foretold_, QPen(look.curve(0), 1.8));
   if (some) {
     for (QCPAxisRect* rect : {velocity_, current_}) {
@@ -141,26 +143,40 @@ void StepPlot::draw() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// At the right of the title, each in its colour: the newest next to what is foretold.
+/// At the right of the title, each in its colour, the newest next to what is foretold; the oldest have no name where
+/// there is no room, as the table beneath has their colours, too.
 void StepPlot::nameCurves() {
   const Look& look = Look::of(palette());
   while (head_->columnCount() > 1) {
     head_->removeAt(head_->rowColToIndex(0, head_->columnCount() - 1));
     head_->simplify();
   }
+  constexpr int beside_px = 4, gap_px = 5;  // of a name, and what the layout puts between two
+  const QFont font = typed(Type::caption, true);
+  const QFontMetrics titleWidths(titles_[0]->font()), widths(font);
+  int room_px = width() - titleWidths.horizontalAdvance(titles_[0]->text()) - 2 * beside_px;
   QList<double> stretch{1.0};
   const auto name = [&](const QString& text, const QColor& ink) {
-    auto* element = new QCPTextElement(plot_, text, typed(Type::caption, true));
+    room_px -= widths.horizontalAdvance(text) + 2 * beside_px + gap_px;
+    if (room_px < 0) return;
+    auto* element = new QCPTextElement(plot_, text, font);
     element->setTextColor(ink);
-    element->setMargins(QMargins(4, 0, 4, 0));
+    element->setMargins(QMargins(beside_px, 0, beside_px, 0));
     head_->addElement(0, head_->columnCount(), element);
     stretch << 1e-3;
   };
-  if (!foretold_.time_s.empty()) name(tr("foretold"), look.curve(0));
+  if (!foretold_.time_s.empty()) name(onBoard_.time_s.empty() ? tr("foretold") : tr("edited"), look.curve(0));
+  if (!onBoard_.time_s.empty()) name(tr("╌ on board"), look.curve(3));
   for (size_t k = steps_.size();
        k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time
     name(k + 1 == steps_.size() ? tr("step %1").arg(k + 1) : QString::number(k + 1), look.curve(colourOf(k)));
   head_->setColumnStretchFactors(stretch);
+}
+
+void StepPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  nameCurves();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StepPlot::drawCurve(const StepCurve& curve, const QPen& pen) {

@@ -22,16 +22,21 @@ class StepPlot : public QWidget {
   explicit StepPlot(QWidget* parent = nullptr);
   void show(const std::vector<StepResult>& steps);
   using QWidget::show;
-  /// What the settings on the page would make; empty: nothing is foretold.
-  void foretell(const StepCurve& curve);
+  /// What the settings on the page would make, and those on the board where they are others; empty: nothing is
+  /// foretold.
+  void foretell(const StepCurve& curve, const StepCurve& onBoard = {});
   /// What steps, with its unit.
   void setQuantity(const QString& title);
   const StepCurve& foretold() const { return foretold_; }
+  const StepCurve& onBoard() const { return onBoard_; }
 
   /// The colour in which a measured step is drawn, its number counted from 0.
   static int colourOf(size_t step);
   /// The first of so many that is still drawn.
   static size_t firstDrawn(size_t steps);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void draw();
@@ -46,7 +51,7 @@ class StepPlot : public QWidget {
   QCPLayoutGrid* head_ = nullptr;  ///< title, and what each curve is
   QString speedUnit_;
   std::vector<StepResult> steps_;
-  StepCurve foretold_;
+  StepCurve foretold_, onBoard_;
 };
 
 }  // namespace breakaway

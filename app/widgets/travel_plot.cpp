@@ -81,7 +81,7 @@ void TravelPlot::drawCurve(const MapCurve& curve, const Look& look) {
 }
 
 void TravelPlot::rescale() {
-  const auto [lower, upper] = valueRange(normal95, 0.08);
+  const auto [lower, upper] = valueRange(normal95, 0.08, true);
   canvas().yAxis->setRange(lower, upper);
   for (QCPAxis* axis : {canvas().xAxis, canvas().yAxis}) {
     axis->setVisible(!curves().empty());

@@ -133,7 +133,7 @@ Message Homing::activity() const {
     case Machine::approach:
       return message("passing the index slowly, pass {}", edges_.size() + 1);
     default:
-      return message("searching the index counter-clockwise");
+      return searching();
   }
 }
 

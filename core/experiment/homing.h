@@ -31,6 +31,8 @@ class Homing : public TimedProcedure {
   /// The index in the board's angle, rounded down by the encoder like every angle, so that the difference of both is
   /// without bias; valid when finished.
   Estimate indexAngle_rad() const;
+  /// Whether a homing that says this of itself still looks for the index, within its `mostTurns`.
+  static bool searches(const Message& activity) { return activity == searching(); }
   size_t passes() const { return edges_.size(); }
 
  protected:
@@ -38,6 +40,7 @@ class Homing : public TimedProcedure {
   Progress progress() const override;
 
  private:
+  static Message searching() { return message("searching the index counter-clockwise"); }
   using Machine = HomingLeg<double>;
   Message activity() const;
   Leg plan() const;

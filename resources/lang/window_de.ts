@@ -1606,10 +1606,6 @@
         <translation>Darunter</translation>
     </message>
     <message>
-        <source>Another recording that is drawn dashed beneath this one, from their beginnings; Runs lays a kept one there</source>
-        <translation>Eine andere Aufnahme, die gestrichelt unter diese gezeichnet wird, von ihrem Beginn an; Läufe legt eine aufbewahrte dorthin</translation>
-    </message>
-    <message>
         <source>Takes away what lies beneath</source>
         <translation>Nimmt weg, was darunter liegt</translation>
     </message>
@@ -1628,6 +1624,10 @@
     <message>
         <source>No recording lies beneath</source>
         <translation>Keine Aufnahme liegt darunter</translation>
+    </message>
+    <message>
+        <source>Another recording that is drawn dashed beneath this one, from where both begin to move; Runs lays a kept one there</source>
+        <translation>Eine andere Aufnahme, die gestrichelt unter dieser liegt, von da an, wo beide sich zu bewegen beginnen; Läufe legt eine aufbewahrte dorthin</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2192,14 @@
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Its evidence</source>
+        <translation>Der Beleg dafür</translation>
+    </message>
+    <message>
+        <source>The residual over this finding&apos;s own axis, before and after</source>
+        <translation>Der Rest über der eigenen Achse dieses Befundes, vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -2892,6 +2900,10 @@
         <source>Tune</source>
         <translation>Einstellen</translation>
     </message>
+    <message>
+        <source>%1, believed</source>
+        <translation>%1, gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::KeptMapsCard</name>
@@ -3282,6 +3294,10 @@
     <message>
         <source>unstable</source>
         <translation>instabil</translation>
+    </message>
+    <message>
+        <source>ζ 0.7</source>
+        <translation>ζ 0.7</translation>
     </message>
 </context>
 <context>
@@ -4347,6 +4363,10 @@
         <source>from power-up</source>
         <translation>vom Einschalten an</translation>
     </message>
+    <message>
+        <source>%1° to go at most</source>
+        <translation>höchstens noch %1°</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::RunComparisonPanel</name>
@@ -4693,6 +4713,14 @@ is foretold here</source>
         <translation>Ein Board verbinden: hier
 wird der Sprung vorhergesagt,
 den seine Einstellungen ergeben</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>╌ on board</source>
+        <translation>╌ Board</translation>
     </message>
 </context>
 <context>
@@ -5333,6 +5361,65 @@ Klick: zeigt es im Log</translation>
     <message>
         <source>unseen parts</source>
         <translation>ungesehenen Teilen</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::WelcomeCard</name>
+    <message>
+        <source>What this bench answers</source>
+        <translation>Was dieser Prüfstand beantwortet</translation>
+    </message>
+    <message>
+        <source>Each can be tried at once, without a motor: simulated boards do all that real ones do. Nothing moves before you ask for it.</source>
+        <translation>Alles lässt sich sofort und ohne Motor ausprobieren: Simulierte Boards können alles, was echte können. Nichts bewegt sich ungefragt.</translation>
+    </message>
+    <message>
+        <source>How much friction, and where around the turn</source>
+        <translation>Wie viel Reibung, und wo auf der Umdrehung</translation>
+    </message>
+    <message>
+        <source>The torque that breaks the rotor away at every angle, both ways, over last month&apos;s map: as CSV, C header, figure or report.</source>
+        <translation>Das Moment, das den Rotor losreißt, bei jedem Winkel und in beiden Richtungen, über der Karte vom letzten Monat: als CSV, C-Header, Bild oder Bericht.</translation>
+    </message>
+    <message>
+        <source>Try Friction</source>
+        <translation>Reibung ausprobieren</translation>
+    </message>
+    <message>
+        <source>Connects the simulated servo and opens Friction; nothing moves yet</source>
+        <translation>Verbindet den simulierten Servo und öffnet Reibung; noch bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>How the loop will answer, before it moves</source>
+        <translation>Wie der Regelkreis antworten wird, bevor er sich bewegt</translation>
+    </message>
+    <message>
+        <source>Gains move a foretold step, Bode plot and poles; the step that is measured then lies over it.</source>
+        <translation>Verstärkungen bewegen den Sprung des Modells, Bode-Diagramm und Pole; der gemessene Sprung liegt dann darüber.</translation>
+    </message>
+    <message>
+        <source>Try Tune</source>
+        <translation>Einstellen ausprobieren</translation>
+    </message>
+    <message>
+        <source>Connects the simulated servo and opens Tune; nothing moves yet</source>
+        <translation>Verbindet den simulierten Servo und öffnet Einstellen; noch bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>What a simulation of the motor leaves out</source>
+        <translation>Was eine Simulation des Motors auslässt</translation>
+    </message>
+    <message>
+        <source>A recording and a bench file give a verdict in one sentence, proved on data that the fit never saw.</source>
+        <translation>Aus Aufnahme und Prüfstandsdatei wird ein Urteil in einem Satz, belegt an Daten, die die Anpassung nie gesehen hat.</translation>
+    </message>
+    <message>
+        <source>Try Compare</source>
+        <translation>Vergleichen ausprobieren</translation>
+    </message>
+    <message>
+        <source>Opens Compare, which needs no board: Example there is a recording to begin with</source>
+        <translation>Öffnet Vergleichen, wofür kein Board nötig ist: Beispiel ist dort eine Aufnahme für den Anfang</translation>
     </message>
 </context>
 <context>

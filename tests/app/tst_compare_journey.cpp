@@ -102,7 +102,7 @@ void checkDiagnosis(Desk& desk) {
   QVERIFY2(desk.text("verdictFigure").contains("→"), qPrintable(desk.text("verdictFigure")));
   QVERIFY(!named<FactsTable>(desk.window, "baseParameters")->value("Wander of the friction").isEmpty());
   if (!diagnosis.findings.empty())
-    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.evidence().has_value(); }, patience_ms));
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.evidence() != nullptr; }, patience_ms));
   const double drawn = desk.session.comparison.shownRmse();
   QVERIFY2(sanitized || (drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter),
            qPrintable(QString::number(drawn)));
@@ -115,6 +115,14 @@ void checkDiagnosis(Desk& desk) {
     QVERIFY(plots->bands() > 0);
   }
   desk.window.showPage("comparePage");
+  for (const Evidence& one : desk.session.comparison.evidences()) {
+    if (one.effect.empty()) continue;
+    auto* link = named<QLabel>(desk.window, qPrintable("evidence_" + QString::fromStdString(one.effect)));
+    QVERIFY(!link->isHidden());
+    emit link->linkActivated(QString::fromStdString(one.effect));
+    QCOMPARE(desk.session.comparison.evidence()->effect, one.effect);
+    QVERIFY(named<QWidget>(desk.window, "evidencePlot")->isVisible());
+  }
   checkRoom(desk.window);
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));

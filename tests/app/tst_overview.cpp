@@ -25,7 +25,9 @@ class TestOverview : public QObject {
   void shortStretch_hasItsRows();
   void missingValues_areNoExtremes();
   void channelThatIsNotThere_isEmpty();
+  void begin_isWhereItLeavesItsFirstValue();
   void noisyRecording_isDrawnAtOnce();
+  void calmRecording_isDrawnSmoothly();
   void nothingNew_isLookedForSeldom();
 };
 
@@ -93,6 +95,22 @@ void TestOverview::channelThatIsNotThere_isEmpty() {
   QVERIFY(overview.between(0.0, 100.0, 800).empty());
 }
 
+/// Two seconds at rest with a count to and fro, then a ramp of one a second: a hundredth of eight is 0.08 s later.
+void TestOverview::begin_isWhereItLeavesItsFirstValue() {
+  std::vector<double> time, values;
+  for (int k = 0; k <= 1000; ++k) {
+    time.push_back(5.0 + 0.01 * k);
+    values.push_back(3.0 + (k <= 200 ? 0.001 * (k % 2) : 0.01 * (k - 200)));
+  }
+  const Overview overview(Recording::seal("r", {{"time_s", time}, {"angle_rad", values}}).value(), "angle_rad");
+  QCOMPARE(overview.begin().value, 3.0);
+  QVERIFY2(std::abs(overview.begin().time_s - 7.09) < 0.011, qPrintable(QString::number(overview.begin().time_s)));
+  const std::vector<double> still(time.size(), 1.5);
+  const Overview resting(Recording::seal("r", {{"time_s", time}, {"angle_rad", still}}).value(), "angle_rad");
+  QCOMPARE(resting.begin().time_s, 5.0);
+  QCOMPARE(resting.begin().value, 1.5);
+}
+
 /// The picture is as many up and down strokes as are seen apart: of a thick line, each crosses all others.
 void TestOverview::noisyRecording_isDrawnAtOnce() {
   Messages messages;
@@ -111,6 +129,24 @@ void TestOverview::noisyRecording_isDrawnAtOnce() {
     least_s = std::min(least_s, time.elapsed_s());
   }
   if (!sanitized) QVERIFY2(least_s < 0.05, qPrintable(QString::number(least_s)));
+  QVERIFY2(!plot->graph(0)->antialiased(), "what fills its pixels has no steps to smooth");
+}
+
+void TestOverview::calmRecording_isDrawnSmoothly() {
+  Messages messages;
+  Comparison comparison(messages);
+  ResidualPlots plots(comparison);
+  plots.resize(1400, 500);
+  plots.show();
+  std::vector<double> time, values;
+  for (size_t k = 0; k < 100'000; ++k) {
+    time.push_back(1e-3 * static_cast<double>(k));
+    values.push_back(std::sin(0.5 * time.back()));
+  }
+  comparison.takeRecording(Recording::seal("r", {{"time_s", time}, {"angle_rad", values}}).value());
+  auto* plot = plots.findChild<QCustomPlot*>("residualPlot");
+  QTRY_VERIFY_WITH_TIMEOUT(plot->graph(0)->dataCount() > 400, 20000);
+  QVERIFY(plot->graph(0)->antialiased());
 }
 
 void TestOverview::nothingNew_isLookedForSeldom() {

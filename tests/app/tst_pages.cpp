@@ -35,6 +35,8 @@ class TestPages : public QObject {
   void positionLoop_hasItsOwnGainsAndStep();
   void emptyCards_sayWhatFillsThem();
   void connected_leadsOnByAClick();
+  void withoutABoard_eachAnswerIsTriedByAClick();
+  void tune_keepsInSightWhatTheBoardHas();
   void identify_showsEachStep();
   void parameters_leaveEveryPageItsWidth_data();
   void parameters_leaveEveryPageItsWidth();
@@ -148,6 +150,41 @@ void TestPages::identify_keepsItsPlacesWhateverIsKnown() {
                                    {}}));
   QTest::qWait(20);
   QCOMPARE(places(), before);
+}
+
+void TestPages::withoutABoard_eachAnswerIsTriedByAClick() {
+  for (const char* name : {"Friction", "Tune", "Compare"}) {
+    Desk desk;
+    const auto* welcome = named<QWidget>(desk.window, "welcomeCard");
+    const auto* identity = named<QWidget>(desk.window, "identityTable");
+    QVERIFY(welcome->isVisible() && !identity->isVisible());
+    const QStringList cut = clippedWhereSmall(desk.window);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+    press(desk.window, qPrintable(QString("try%1Button").arg(name)));
+    const bool needsBoard = qstrcmp(name, "Compare") != 0;
+    QTRY_COMPARE(desk.session.connection.connected(), needsBoard);
+    QVERIFY(named<QWidget>(desk.window, qPrintable(QString(name).toLower() + "Page"))->isVisible());
+    QVERIFY(!desk.session.connection.run().running());
+    desk.window.showPage("connectPage");
+    QCOMPARE(welcome->isVisible(), !needsBoard);
+    QCOMPARE(identity->isVisible(), needsBoard);
+  }
+}
+
+/// Another gain: the step that the board's own makes stays where it was, until the edit is taken back.
+void TestPages::tune_keepsInSightWhatTheBoardHas() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  const auto* plot = named<StepPlot>(desk.window, "stepPlot");
+  QTRY_VERIFY(!plot->foretold().time_s.empty());
+  QVERIFY(plot->onBoard().time_s.empty());
+  const auto before = plot->foretold().velocity_rad_per_s;
+  named<QDoubleSpinBox>(desk.window, "kpBox")->setValue(0.1);
+  QTRY_COMPARE(plot->onBoard().velocity_rad_per_s, before);
+  QVERIFY(plot->foretold().velocity_rad_per_s != before);
+  press(desk.window, "revertButton");
+  QTRY_VERIFY(plot->onBoard().time_s.empty());
 }
 
 void TestPages::connected_leadsOnByAClick() {

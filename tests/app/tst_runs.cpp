@@ -327,6 +327,19 @@ void TestRuns::earlierMap_liesBeneathWithTheRingOfDifferences() {
     for (const MapPoint& point : curve.points)
       if (curve.part == MapPart::shown) highest = std::max(highest, point.value);
   QVERIFY2(ring->lifted > highest, "the ring lies outside");
+  const auto* angular = qobject_cast<QCPPolarAxisAngular*>(
+      named<QCustomPlot>(archive.desk.window, "polarPlotCanvas")->plotLayout()->element(0, 0));
+  const auto share = [&](const MapPoint& point) {
+    const QPointF away = polar->pixelOf(point) - angular->center();
+    return std::hypot(away.x(), away.y()) / angular->radius();
+  };
+  for (const MapPoint& point : ring->points) QVERIFY(share(point) > 0.92 && share(point) < 0.99);
+  double widest = 0.0;
+  for (const MapCurve& curve : polar->curves()) {
+    if (ofDifference(curve)) continue;
+    for (const MapPoint& point : curve.points) widest = std::max(widest, share(point));
+  }
+  QVERIFY2(widest > 0.75 && widest < 0.92, qPrintable(QString::number(widest)));
   auto* canvas = const_cast<PolarPlot*>(polar);
   QTest::qWait(50);
   const QString read = canvas->readingAt(canvas->pixelOf(ring->points[20]));

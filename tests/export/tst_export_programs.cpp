@@ -167,7 +167,7 @@ void TestExportPrograms::programs_moveAsTheSimulationDoes() {
   const TemporaryFolder folder;
   folder.write("inputs", rowsFor(model, drive));
   folder.write("m.h", exportedAs(model, "c"));
-  folder.write("main.c", cDriver(model));
+  folder.write("main.c", exportedAs(model, "c") + cDriver(model));  // in a header unused constants go unnoticed
   const QString complaints =
       outputOf(folder, "cc", {"-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "main.c", "-o", "main", "-lm"});
   QVERIFY2(complaints.isEmpty(), qPrintable(complaints));
@@ -228,7 +228,8 @@ void TestExportPrograms::oddPath_staysInTheComment() {
   const TemporaryFolder folder;
   folder.write("inputs", "");
   folder.write("m.h", exportModel(model, "c", options)->text);
-  const QString said = outputOf(folder, "cc", {"-std=c99", "-fsyntax-only", "-Wall", "-Werror", "-x", "c", "m.h"});
+  const QString said =
+      outputOf(folder, "cc", {"-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-x", "c", "m.h"});
   QVERIFY2(said.isEmpty(), qPrintable(said));
   for (const char* form : {"mjcf", "urdf", "sdf"}) QVERIFY(wellFormed(exportModel(model, form, options)->text));
   for (const char* form : {"python", "isaaclab", "matlab", "modelica"})
@@ -265,7 +266,8 @@ void TestExportPrograms::coasting_isOpenWindings() {
                "  while (scanf(\"%lf %d %lf\", &u, &open, &dt) == 3) {\n"
                "    printf(\"%.17g %.17g\\n\", breakaway_reading(&s), s.velocity_rad_per_s);\n"
                "    if (open) breakaway_coast(&s, dt); else breakaway_step(&s, u, 24.0, dt);\n  }\n  return 0;\n}\n");
-  const QString complaints = outputOf(folder, "cc", {"-std=c99", "-Wall", "-Werror", "main.c", "-o", "main", "-lm"});
+  const QString complaints =
+      outputOf(folder, "cc", {"-std=c99", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main", "-lm"});
   QVERIFY2(complaints.isEmpty(), qPrintable(complaints));
   const QString said = outputOf(folder, QString::fromStdString(folder.path("main")), {});
   const double most = difference(said, expected);
@@ -302,8 +304,9 @@ void TestExportPrograms::realRigs_moveInCAsTheSimulationDoes() {
   QString driver = QString::fromStdString(cDriver(model));
   driver.replace("breakaway_start(0.0, 0.0)", "breakaway_start(" + QString::fromStdString(begin) + ", 0.0)");
   driver.replace("for (k = 0; k < 2; ++k)", "for (k = 0; k < 0; ++k)");
-  folder.write("main.c", driver.toStdString());
-  const QString complaints = outputOf(folder, "cc", {"-std=c99", "-O1", "main.c", "-o", "main", "-lm"});
+  folder.write("main.c", exportedAs(model, "c") + driver.toStdString());
+  const QString complaints =
+      outputOf(folder, "cc", {"-std=c99", "-Wall", "-Wextra", "-O1", "main.c", "-o", "main", "-lm"});
   QVERIFY2(complaints.isEmpty(), qPrintable(complaints));
   const QString said = outputOf(folder, QString::fromStdString(folder.path("main")), {});
   const double most = difference(said, expected);
@@ -326,7 +329,8 @@ void TestExportPrograms::friction_isAFunctionOfAngleSpeedLoadAndTemperature() {
       "  printf(\"%.12g %.12g %.12g %.12g\\n\", breakaway_friction(0.1, 3.0, 0.02, 5.0, 0.0),\n"
       "         breakaway_friction(0.1, -3.0, 0.02, 5.0, 0.0), breakaway_friction(0.1, 0.0, -0.02, 1e9, 0.0),\n"
       "         breakaway_load(0.1, 0.0, 0.0, 0.0));\n  return 0;\n}\n");
-  const QString complaints = outputOf(folder, "cc", {"-std=c99", "-Wall", "-Werror", "main.c", "-o", "main", "-lm"});
+  const QString complaints =
+      outputOf(folder, "cc", {"-std=c99", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main", "-lm"});
   QVERIFY2(complaints.isEmpty(), qPrintable(complaints));
   const QStringList found = outputOf(folder, QString::fromStdString(folder.path("main")), {}).simplified().split(' ');
   QCOMPARE(found.size(), qsizetype{4});

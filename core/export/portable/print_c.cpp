@@ -28,21 +28,27 @@ class C final : public Printer {
     std::string out = "/*\n";
     for (const std::string& line : program().head) out += line.empty() ? " *\n" : " * " + line + "\n";
     out += " */\n#ifndef " + guard + "\n#define " + guard + "\n\n#include <math.h>\n\n";
-    for (const Constant& one : program().constants)
-      out += "static const double " + constantName(one.name) + " = " + withPoint(exactText(one.value)) + ";" +
-             (one.comment.empty() ? "" : " /* " + one.comment + " */") + "\n";
+    std::string functions;
+    for (const Function& one : program().functions) functions += functionText(one) + "\n";
+    for (const Constant& one : program().constants) out += constantText(one, functions);
     out += "\ntypedef struct {\n";
     for (const Field& field : program().state)
       out += "  double " + field.name + (field.size > 0 ? "[" + std::to_string(field.size) + "]" : "") + ";" +
              (field.comment.empty() ? "" : " /* " + field.comment + " */") + "\n";
-    out += "} " + stateType() + ";\n\n";
-    for (const Function& one : program().functions) out += functionText(one) + "\n";
-    return out + startText() + "\n#endif\n";
+    return out + "} " + stateType() + ";\n\n" + functions + startText() + "\n#endif\n";
   }
 
  private:
   std::string stateType() const { return program().name + "_state"; }
   std::string called(const std::string& name) const { return program().name + "_" + name; }
+
+  /// Compilers warn of a constant that no function asks for: such a one is told in a comment.
+  std::string constantText(const Constant& one, const std::string& functions) const {
+    const std::string name = constantName(one.name), value = name + " = " + withPoint(exactText(one.value));
+    if (renamed(functions, {{name, ""}}) == functions)
+      return "/* " + value + ", not needed here" + (one.comment.empty() ? "" : "; " + one.comment) + " */\n";
+    return "static const double " + value + ";" + (one.comment.empty() ? "" : " /* " + one.comment + " */") + "\n";
+  }
 
   std::string functionText(const Function& one) const {
     std::vector<std::string> arguments;
