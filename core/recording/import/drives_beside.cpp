@@ -34,6 +34,9 @@ class DrivesBeside {
     const bool torque = choices_[c].name.to == "torque_Nm", electric = isIn(electrical, choices_[c].name.to);
     const Kinship kin = kinshipToMotion(c);
     if (kin != Kinship::apart) {
+      const auto namesake = kin == Kinship::untold ? namesakeOf(c) : std::nullopt;
+      if (namesake && !moveTogether(*namesake))
+        return setAside(choices_[c], message("belongs to {}, which isn't taken", nameOf(*namesake)));
       if (torque && kin == Kinship::untold) judgeUntoldTorque(c);
       if (electric && kin == Kinship::untold && isOfLoad(c) && choices_[c].name.guess.empty())
         choices_[c].name.guess = message("is called otherwise than {}", nameOf(motion_.front()));
@@ -109,6 +112,16 @@ class DrivesBeside {
     return std::nullopt;
   }
 
+  /// What else moves and shares a word with it that the motion doesn't have.
+  std::optional<size_t> namesakeOf(size_t c) const {
+    for (size_t k = 0; k < choices_.size(); ++k) {
+      const bool another = k != c && moves_[k] && std::find(motion_.begin(), motion_.end(), k) == motion_.end();
+      if (another && firstIn(whose_[k].owner, whose_[c].owner) != nullptr && kinshipToMotion(k) != Kinship::own)
+        return k;
+    }
+    return std::nullopt;
+  }
+
   /// Its values as the motion's, but for a gear.
   bool moveTogether(size_t k) const {
     constexpr double much = 0.9;
@@ -147,7 +160,9 @@ class DrivesBeside {
     const size_t m = motion_.front();
     const bool motors =
         std::any_of(motion_.begin(), motion_.end(), [&](size_t one) { return whose_[one].side == Whose::Side::motor; });
-    if (motors && whose_[c].side == Whose::Side::untold && !whose_[c].owner.empty())
+    const bool named = std::any_of(whose_[c].owner.begin(), whose_[c].owner.end(),
+                                   [](const std::string& word) { return word.size() > 2; });  // "Te" is a symbol
+    if (motors && whose_[c].side == Whose::Side::untold && named)
       return setAside(choices_[c], message("is called by something else than the motor, as {} is", nameOf(m)));
     if (whose_[c].side != Whose::Side::untold || whose_[m].side == Whose::Side::untold) return;
     for (size_t k = 0; k < choices_.size(); ++k) {

@@ -50,8 +50,9 @@ Whose whoseIs(const RawColumn& column, const Choice& choice) {
     if (whose.side == Whose::Side::untold && motors) whose.side = Whose::Side::motor;
     if (whose.side == Whose::Side::untold && drivens) whose.side = Whose::Side::driven;
     const bool tells = !motors && !drivens && !isIn(referenceWords, word) && !isIn(decorations, word) &&
-                       !isIn(measuredWords, word) && !isIn(estimateWords, word) && !isIn(benches, word) &&
-                       !isNumber(word) && quantityNamed(word) == nullptr && unitNamed(word) == nullptr;
+                       !isIn(measuredWords, word) && !isIn(estimateWords, word) && !isIn(electricalWords, word) &&
+                       !isIn(benches, word) && !isNumber(word) && quantityNamed(word) == nullptr &&
+                       unitNamed(word) == nullptr;
     if (tells) whose.owner.push_back(word);
   }
   return whose;
