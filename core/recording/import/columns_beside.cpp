@@ -16,7 +16,8 @@ namespace breakaway {
 
 namespace {
 
-/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
+/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too; with letters one
+/// other is enough, as two numbers are two motors.
 bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
   static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW", "123"});
   return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
@@ -27,7 +28,7 @@ bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name
       other[at] = letter;
       beside += names.count(other);
     }
-    return beside >= 2;
+    return beside >= (letters == "123" ? 3U : 2U);
   });
 }
 
