@@ -108,7 +108,13 @@ Message otherThing(NameParts& parts) {
   }
   const std::string* heading = firstIn(parts.words, headings);
   if (heading == nullptr) return {};
-  if (firstIn(parts.words, jointWords) == nullptr) return message("the word \"{}\" makes it something else", *heading);
+  const bool electric = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);  // "pitch_current": no vehicle as a whole has one
+    return quantity != nullptr && !quantity->weak &&
+           (quantity->kind == UnitKind::current || quantity->kind == UnitKind::voltage);
+  });
+  if (firstIn(parts.words, jointWords) == nullptr && !electric)
+    return message("the word \"{}\" makes it something else", *heading);
   parts.group += (parts.group.empty() ? "" : ".") + *heading;
   std::erase(parts.words, std::string(*heading));
   return {};

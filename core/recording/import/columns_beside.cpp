@@ -49,7 +49,11 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
     for (size_t at = 1; at < name.size(); ++at) {
       const bool digit = std::isdigit(static_cast<unsigned char>(name[at])) != 0;
       const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
-      if (endsWord && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
+      const bool index = !digit ||
+                         std::none_of(name.begin() + static_cast<std::ptrdiff_t>(at) + 1, name.end(),
+                                      [](char one) { return one == '_' || one == ' ' || one == '/'; }) ||
+                         partsOfName(name.substr(at + 1), {}).words.size() < 2;  // not "Blade1_MotorCurrent"
+      if (endsWord && index && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
         setAside(choices[c], message("is one phase's"));
         break;
       }

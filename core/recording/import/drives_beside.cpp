@@ -52,6 +52,23 @@ class DrivesBeside {
       choices_[c].name.guess = message("is called otherwise than {}", nameOf(motion_.front()));
   }
 
+  /// "car_position_m", "rack_pos_mm" beside the motor's own rotation is what it moves, with the force there.
+  void setMovedAside() {
+    static constexpr auto linear = std::to_array<std::string_view>(
+        {"position_m", "velocity_m_per_s", "force_N", "position_reference_m", "velocity_reference_m_per_s"});
+    const auto motor = std::find_if(motion_.begin(), motion_.end(), [this](size_t m) {
+      return whose_[m].side == Whose::Side::motor && choices_[m].name.to.find("rad") != std::string::npos;
+    });
+    const auto turns = [](const Choice& one) { return one.name.to == "torque_Nm" || one.name.to == "angle_rad"; };
+    if (motor == motion_.end() || std::none_of(choices_.begin(), choices_.end(), turns)) return;  // a screw's nut
+    for (size_t c = 0; c < choices_.size(); ++c) {
+      const bool moved = whose_[c].side != Whose::Side::motor && !whose_[c].owner.empty();
+      for (const std::string_view to : linear) {
+        if (moved && open(c, to)) setAside(choices_[c], message("is what {} moves", nameOf(*motor)));
+      }
+    }
+  }
+
   /// Of several for one thing: the motion's own, where one is.
   void preferOwn(std::string_view to) {
     const auto isOwn = [&](size_t c) { return open(c, to) && calledAlike(c); };
@@ -59,7 +76,9 @@ class DrivesBeside {
     while (own < choices_.size() && !isOwn(own)) ++own;
     if (own == choices_.size()) return;
     for (size_t c = 0; c < choices_.size(); ++c) {
-      if (open(c, to) && kinshipToMotion(c) == Kinship::apart && !choices_[own].name.to.empty())
+      const Kinship kin = kinshipToMotion(c);
+      const bool untold = to == "torque_Nm" && kin == Kinship::untold && isOnSideOf(own, motion_.front());
+      if (open(c, to) && (kin == Kinship::apart || untold))
         setAside(choices_[c], message("is called otherwise than {}, as {} is", nameOf(motion_.front()), nameOf(own)));
     }
   }
@@ -99,8 +118,14 @@ class DrivesBeside {
 
   bool calledAlike(size_t c) const {
     return std::any_of(motion_.begin(), motion_.end(), [&](size_t m) {
-      return kinshipOf(whose_[c], whose_[m]) == Kinship::own && firstIn(whose_[c].owner, whose_[m].owner) != nullptr;
+      const bool word = firstIn(whose_[c].owner, whose_[m].owner) != nullptr, side = isOnSideOf(c, m);
+      return kinshipOf(whose_[c], whose_[m]) == Kinship::own && (word || side);
     });
+  }
+
+  /// Both called the motor's, or both what it drives.
+  bool isOnSideOf(size_t c, size_t m) const {
+    return whose_[c].side != Whose::Side::untold && whose_[c].side == whose_[m].side;
   }
 
   /// What else moves and is called as it is.
@@ -198,6 +223,7 @@ void setOthersDrivesAside(const RawTable& table, const std::vector<size_t>& moti
                                        "velocity_reference_rad_per_s", "current_reference_A", "torque_reference_Nm"});
   if (motion.empty()) return;
   DrivesBeside beside(table, motion, choices);
+  beside.setMovedAside();
   for (const std::string_view to : drives) {
     for (size_t c = 0; c < choices.size(); ++c) {
       if (beside.open(c, to)) beside.judge(c);

@@ -132,9 +132,9 @@ void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
     const bool another = otherThingIn(path.words) != nullptr || firstIn(path.words, supplyWords) != nullptr ||
                          firstIn(path.words, loadWords) != nullptr || firstIn(path.words, driverWords) != nullptr;
     const bool motors = firstIn(path.words, jointWords) != nullptr || isIn(path.words, "machine");
-    const bool block = last.unit != nullptr && last.words.size() > 1 && name[at] == '/' && choices[c].name.saysNothing &&
-                       otherThingIn(path.words) == nullptr && firstIn(path.words, supplyWords) == nullptr &&
-                       firstIn(path.words, loadWords) == nullptr;
+    const bool block = last.unit != nullptr && last.words.size() > 1 && name[at] == '/' &&
+                       choices[c].name.saysNothing && otherThingIn(path.words) == nullptr &&
+                       firstIn(path.words, supplyWords) == nullptr && firstIn(path.words, loadWords) == nullptr;
     if (!block && (!letter || !motors || (another && path.words.front() != "dc"))) continue;
     ColumnName own = understandName(name.substr(at + 1), table.columns[c].unit);
     if (block) own.guess = message("what \"{}\" says of it is unknown", name.substr(0, at));
