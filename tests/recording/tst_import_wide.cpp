@@ -28,6 +28,7 @@ class TestImportWide : public QObject {
   void letterBehindAModelsBlock_isTaken();
   void jointsOfAGimbal_areTaken();
   void wearOfATool_isNoTime();
+  void dutyWithoutADirection_isKeptBesideACurrent();
   void commandThatGoesFurtherThanTheSpeed_isNoReference_data();
   void commandThatGoesFurtherThanTheSpeed_isNoReference();
 
@@ -207,6 +208,15 @@ void TestImportWide::wearOfATool_isNoTime() {
   const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
   QVERIFY(!log.ok());
   QVERIFY(log.error().message().find("sample_time_s") != std::string::npos);
+}
+
+void TestImportWide::dutyWithoutADirection_isKeptBesideACurrent() {
+  const auto log = logOf({{"speed_rpm", [](int k) { return speedOf(0, k) * toRpm; }},
+                          {"current_A", [](int k) { return driveOf(0, k); }},
+                          {"pwm", [](int k) { return std::round(std::abs(driveOf(0, k)) * 230.0); }}});
+  VERIFY_OK(log);
+  QVERIFY(!log->recording.has("duty"));
+  QCOMPARE(meaning(*log, "current_A"), std::string("current_A"));
 }
 
 void TestImportWide::commandThatGoesFurtherThanTheSpeed_isNoReference_data() {
