@@ -18,7 +18,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr auto electrical = std::to_array<std::string_view>({"current_A", "voltage_V", "duty"});
+constexpr auto windingDrives = std::to_array<std::string_view>({"current_A", "voltage_V", "duty"});
 
 class DrivesBeside {
  public:
@@ -31,7 +31,7 @@ class DrivesBeside {
   }
 
   void judge(size_t c) {
-    const bool torque = choices_[c].name.to == "torque_Nm", electric = isIn(electrical, choices_[c].name.to);
+    const bool torque = choices_[c].name.to == "torque_Nm", electric = isIn(windingDrives, choices_[c].name.to);
     const Kinship kin = kinshipToMotion(c);
     if (kin != Kinship::apart) {
       const auto namesake = kin == Kinship::untold ? namesakeOf(c) : std::nullopt;
@@ -198,7 +198,7 @@ class DrivesBeside {
       if (!across || isTurned(k) != isTurned(m) || (ratio < alike && ratio > 1.0 / alike)) continue;
       const Message why = message("nothing tells whether it is {}'s or {}'s", nameOf(m), nameOf(k));
       const bool driven = std::any_of(choices_.begin(), choices_.end(),
-                                      [](const Choice& one) { return isIn(electrical, one.name.to); });
+                                      [](const Choice& one) { return isIn(windingDrives, one.name.to); });
       if (driven) return setAside(choices_[c], why);
       choices_[c].name.guess = why;
       return;

@@ -6,9 +6,7 @@
 #include <string_view>
 
 #include "recording/import/columns_beside.h"
-#include "recording/import/joined_words.h"
 #include "recording/import/name_parts.h"
-#include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {

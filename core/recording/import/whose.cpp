@@ -24,7 +24,7 @@ bool hasOneOfItsOwn(const Words& one, const Words& other) {
   return std::any_of(one.begin(), one.end(), [&](const std::string& word) { return !isIn(other, word); });
 }
 
-bool share(const Words& one, const Words& other) {
+bool haveWordInCommon(const Words& one, const Words& other) {
   return firstIn(one, other) != nullptr;
 }
 
@@ -63,7 +63,7 @@ Kinship kinshipOf(const Whose& one, const Whose& other) {
   const bool axes = !one.axis.empty() && !other.axis.empty();
   if ((sides && one.side != other.side) || (axes && one.axis != other.axis)) return Kinship::apart;
   if (hasOneOfItsOwn(one.owner, other.owner) && hasOneOfItsOwn(other.owner, one.owner)) return Kinship::apart;
-  return sides || axes || share(one.owner, other.owner) ? Kinship::own : Kinship::untold;
+  return sides || axes || haveWordInCommon(one.owner, other.owner) ? Kinship::own : Kinship::untold;
 }
 
 bool areDifferentJoints(const Whose& one, const Whose& other) {
