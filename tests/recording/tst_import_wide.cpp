@@ -29,6 +29,7 @@ class TestImportWide : public QObject {
   void jointsOfAGimbal_areTaken();
   void wearOfATool_isNoTime();
   void dutyWithoutADirection_isKeptBesideACurrent();
+  void temperatureOfAnotherThing_isAGuess();
   void commandThatGoesFurtherThanTheSpeed_isNoReference_data();
   void commandThatGoesFurtherThanTheSpeed_isNoReference();
 
@@ -208,6 +209,14 @@ void TestImportWide::wearOfATool_isNoTime() {
   const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
   QVERIFY(!log.ok());
   QVERIFY(log.error().message().find("sample_time_s") != std::string::npos);
+}
+
+void TestImportWide::temperatureOfAnotherThing_isAGuess() {
+  const auto log = logOf({{"speed_rpm", [](int k) { return speedOf(0, k) * toRpm; }},
+                          {"Process temperature [K]", [](int k) { return 308.15 + 0.01 * k; }}});
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("temperature_degC")[100] - 36.0) < 1e-6);
+  QVERIFY(log->columns[2].guessed);
 }
 
 void TestImportWide::dutyWithoutADirection_isKeptBesideACurrent() {

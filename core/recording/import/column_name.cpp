@@ -331,7 +331,8 @@ ColumnName taken(NameReading& name) {
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;
-  const bool drives = name.inWinding() || name.kind == UnitKind::torque || name.kind == UnitKind::force;
+  const bool drives = name.inWinding() || name.kind == UnitKind::torque || name.kind == UnitKind::force ||
+                      name.kind == UnitKind::temperature;
   if (drives && !name.strange.empty()) understood.guess = message("what \"{}\" says of it is unknown", name.strange);
   const bool letter = name.found.word->weak && name.word().size() == 1 && parts.unit == nullptr;
   if (letter && (name.inWinding() || name.kind == UnitKind::force))
