@@ -15,6 +15,7 @@
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settle_motion.h"
+#include "recording/import/whose.h"
 
 namespace breakaway {
 
@@ -26,6 +27,7 @@ constexpr double tellsMore = 1.5;                 // an angle tells the speed, t
 constexpr double evidence = 10.0;                 // that a motion, a name or a drive is for a choice, or against it
 constexpr double besideMotors = -1.5 * evidence;  // none of the motor's, where the motor's own moves otherwise
 constexpr double clearly = 3.0;                   // ahead of another motion
+constexpr double ownDrive = 4.0;                  // that is called as the motion is
 
 // Of what two motions have in common.
 constexpr double much = 0.9, little = 0.5;
@@ -43,7 +45,9 @@ struct Mover {
   Words called = {};               ///< without the words of quantities
   std::vector<double> place = {};  ///< an angle, unwound
   std::vector<double> speed = {};  ///< or how much it changes from row to row
+  Whose whose = {};
   double driven = 0.0;
+  bool hasOwnDrive = false;
 };
 
 /// A choice: places among the movers.
@@ -114,7 +118,14 @@ class Assignment {
         if (to.empty()) open = open && firstIn(wordsOf(column.channel.name, true), outputs) != nullptr;
         if (!open) continue;
         ++drives;
+        const Whose whose = whoseIs(column, choices_[c]);
+        const bool owned = std::any_of(movers_.begin(), movers_.end(), [&whose](const Mover& one) {
+          return kinshipOf(one.whose, whose) == Kinship::own;
+        });
         for (Mover& one : movers_) {
+          const Kinship kin = kinshipOf(one.whose, whose);
+          one.hasOwnDrive = one.hasOwnDrive || (!to.empty() && kin == Kinship::own);
+          if (owned && kin == Kinship::apart) continue;  // another's
           const std::vector<double> drive = begin(table_.columns[c].channel.values);
           one.driven = std::max(one.driven, drivenBy(rowsOf(drive), one.speed, drive, {}));
         }
@@ -173,6 +184,7 @@ class Assignment {
     one.worth = aColumn - rank + (angle ? tellsMore : 0.0);
     one.owner = ownerAt(c);
     one.called = wordsBesideQuantity(table_, c);
+    one.whose = whoseIs(table_.columns[c], choices_[c]);
     std::vector<double> values = begin(table_.columns[c].channel.values);
     if (!angle) {
       one.speed = std::move(values);
@@ -200,6 +212,15 @@ class Assignment {
   /// Called by different words: "robot_velocity" beside "hood_angle".
   bool strangers(const Mover& angle, const Mover& speed) const {
     const ColumnName &of = choices_[angle.column].name, &how = choices_[speed.column].name;
+    if (kinshipOf(angle.whose, speed.whose) == Kinship::apart) return true;
+    const auto isOtherThan = [](const Mover& motor, const Mover& one) {  // "dyno_angle" beside "motor_speed"
+      return motor.whose.side == Whose::Side::motor && one.whose.side == Whose::Side::untold &&
+             std::any_of(one.called.begin(), one.called.end(), [](const std::string& word) {
+               return !isIn(decorations, word) && !isNumber(word) && unitNamed(word) == nullptr &&
+                      quantityNamed(word) == nullptr;
+             });
+    };
+    if (isOtherThan(angle, speed) || isOtherThan(speed, angle)) return true;
     if (of.qualified && how.qualified) return angle.called != speed.called;
     return of.qualified && of.unit.empty() && !how.unit.empty() && speed.owner == Owner::motor &&
            angle.owner == Owner::another;
@@ -239,17 +260,20 @@ class Assignment {
 
   double pointsOf(const std::optional<size_t>& angle, const std::optional<size_t>& speed) {
     double points = 0.0, driven = 0.0;
+    bool owns = false;
     for (const auto& one : {angle, speed}) {
       if (!one) continue;
       points += pointsOf(*one);
+      owns = owns || movers_[*one].hasOwnDrive;
       driven = std::max(driven, movers_[*one].driven);
     }
     if (driven > moreThanNoise) points += evidence * driven;
+    if (owns) points += ownDrive;
     if (!angle || !speed) return points;
     const double alike = common(*angle, *speed).value_or(much);
     if (alike >= much) points += evidence;
-    if (alike < little) points -= strangers(movers_[*angle], movers_[*speed]) ? 2.0 * evidence : evidence;
-    return points;
+    if (alike < little && strangers(movers_[*angle], movers_[*speed])) return -std::numeric_limits<double>::max();
+    return alike < little ? points - evidence : points;
   }
 
   const RawTable& table_;

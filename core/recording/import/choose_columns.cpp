@@ -12,6 +12,7 @@
 #include "recording/import/assign_motion.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/drive_evidence.h"
+#include "recording/import/drives_beside.h"
 #include "recording/import/foreign_names.h"
 #include "recording/import/joined_words.h"
 #include "recording/import/motion_beside.h"
@@ -284,6 +285,16 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   assignMotion(table, ranksOf(table, map, choices), choices);
 }
 
+/// The columns that would be taken as the angle and the speed.
+std::vector<size_t> motionOf(const RawTable& table, const ImportMap& map, const std::vector<Choice>& choices) {
+  std::vector<size_t> motion;
+  for (const char* to : {"angle_rad", "velocity_rad_per_s", "position_m", "velocity_m_per_s"}) {
+    const size_t best = bestFor(table, map, choices, to);
+    if (best < choices.size()) motion.push_back(best);
+  }
+  return motion;
+}
+
 /// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a
 /// balance of torques, say.
 void setBalancesAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
@@ -439,10 +450,11 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
       setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
   dropStrangers(table, map, choices);
+  setOthersDrivesAside(table, motionOf(table, map, choices), choices);
   setBalancesAside(table, map, choices);
   preferMotionsOwn(table, ranksOf(table, map, choices), choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
-  setOthersAside(table, choices);
+  setUnmovedReferencesAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

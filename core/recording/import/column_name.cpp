@@ -108,7 +108,13 @@ Message otherThing(NameParts& parts) {
   }
   const std::string* heading = firstIn(parts.words, headings);
   if (heading == nullptr) return {};
-  if (firstIn(parts.words, jointWords) == nullptr) return message("the word \"{}\" makes it something else", *heading);
+  const bool electric = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);  // "pitch_current": no vehicle as a whole has one
+    return quantity != nullptr && !quantity->weak &&
+           (quantity->kind == UnitKind::current || quantity->kind == UnitKind::voltage);
+  });
+  if (firstIn(parts.words, jointWords) == nullptr && !electric)
+    return message("the word \"{}\" makes it something else", *heading);
   parts.group += (parts.group.empty() ? "" : ".") + *heading;
   std::erase(parts.words, std::string(*heading));
   return {};
@@ -325,7 +331,8 @@ ColumnName taken(NameReading& name) {
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;
-  const bool drives = name.inWinding() || name.kind == UnitKind::torque || name.kind == UnitKind::force;
+  const bool drives = name.inWinding() || name.kind == UnitKind::torque || name.kind == UnitKind::force ||
+                      name.kind == UnitKind::temperature;
   if (drives && !name.strange.empty()) understood.guess = message("what \"{}\" says of it is unknown", name.strange);
   const bool letter = name.found.word->weak && name.word().size() == 1 && parts.unit == nullptr;
   if (letter && (name.inWinding() || name.kind == UnitKind::force))

@@ -16,7 +16,8 @@ namespace breakaway {
 
 namespace {
 
-/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
+/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too; with letters one
+/// other is enough, as two numbers are two motors.
 bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
   static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW", "123"});
   return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
@@ -27,7 +28,7 @@ bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name
       other[at] = letter;
       beside += names.count(other);
     }
-    return beside >= 2;
+    return beside >= (letters == "123" ? 3U : 2U);
   });
 }
 
@@ -48,7 +49,11 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
     for (size_t at = 1; at < name.size(); ++at) {
       const bool digit = std::isdigit(static_cast<unsigned char>(name[at])) != 0;
       const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
-      if (endsWord && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
+      const bool index = !digit ||
+                         std::none_of(name.begin() + static_cast<std::ptrdiff_t>(at) + 1, name.end(),
+                                      [](char one) { return one == '_' || one == ' ' || one == '/'; }) ||
+                         partsOfName(name.substr(at + 1), {}).words.size() < 2;  // not "Blade1_MotorCurrent"
+      if (endsWord && index && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
         setAside(choices[c], message("is one phase's"));
         break;
       }

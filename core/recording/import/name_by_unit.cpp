@@ -107,6 +107,10 @@ ColumnName nameByUnit(const NameParts& parts) {
   const UnitKind kind = parts.unit->kind;
   bool reference = false, plain = true, motors = false, loops = false, joint = false;
   if (std::string_view(parts.unit->name) == "hz") return nameAside(message("is a frequency"), parts);
+  static constexpr auto durations = std::to_array<std::string_view>(
+      {"wear", "life", "lifetime", "remaining", "rul", "age", "latency", "jitter", "hold", "dwell"});
+  if (const std::string* word = kind == UnitKind::time ? firstIn(parts.words, durations) : nullptr)
+    return nameAside(message("\"{}\" is how long something takes", *word), parts);
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);

@@ -289,9 +289,12 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
 
 /// A unit as the last words; the longest that is one.
 void takeUnitWords(const std::string& text, NameParts& parts) {
+  static constexpr auto times = std::to_array<std::string_view>({"s", "sec", "ms", "min"});
   Words plain = wordsOf(text, false);
+  std::string axis;  // "Speed RPM 2"
   while (!plain.empty() && isNumber(plain.back()) && plain.size() > 1) {
     if (plain.size() > 2 && unitOfWords(plain, plain.size() - 2) != nullptr) break;  // "min 1"
+    axis = isIn(times, plain[plain.size() - 2]) ? std::string() : plain.back();      // "rad s 1" is a power
     plain.pop_back();
   }
   for (const bool camel : {false, true}) {
@@ -305,6 +308,7 @@ void takeUnitWords(const std::string& text, NameParts& parts) {
       parts.words = camel ? Words(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(from))
                           : wordsOf(firstWords(text, from), true);
       while (parts.words.size() > 1 && parts.words.back() == "per") parts.words.pop_back();  // "t / ms"
+      if (!axis.empty() && !camel) parts.words.push_back(axis);
       return;
     }
   }

@@ -118,7 +118,8 @@ void takeBeforePaths(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "DC_Motor.i (A)": a letter with its unit says enough behind a path that names nothing else.
+/// "DC_Motor.i (A)": a letter with its unit says enough behind a path that names nothing else, and so does, as a guess,
+/// what is understood by itself behind a model's block ("Controller/u_cmd [V]").
 void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
@@ -131,8 +132,12 @@ void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
     const bool another = otherThingIn(path.words) != nullptr || firstIn(path.words, supplyWords) != nullptr ||
                          firstIn(path.words, loadWords) != nullptr || firstIn(path.words, driverWords) != nullptr;
     const bool motors = firstIn(path.words, jointWords) != nullptr || isIn(path.words, "machine");
-    if (!letter || !motors || (another && path.words.front() != "dc")) continue;
+    const bool block = last.unit != nullptr && last.words.size() > 1 && name[at] == '/' &&
+                       choices[c].name.saysNothing && otherThingIn(path.words) == nullptr &&
+                       firstIn(path.words, supplyWords) == nullptr && firstIn(path.words, loadWords) == nullptr;
+    if (!block && (!letter || !motors || (another && path.words.front() != "dc"))) continue;
     ColumnName own = understandName(name.substr(at + 1), table.columns[c].unit);
+    if (block) own.guess = message("what \"{}\" says of it is unknown", name.substr(0, at));
     if (own.understood()) choices[c].name = std::move(own);
   }
 }

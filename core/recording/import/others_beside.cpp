@@ -6,9 +6,7 @@
 #include <string_view>
 
 #include "recording/import/columns_beside.h"
-#include "recording/import/joined_words.h"
 #include "recording/import/name_parts.h"
-#include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -19,8 +17,37 @@ bool namesQuantity(const Words& words) {
   return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
 }
 
-/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
-void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
+}  // namespace
+
+void preferDriven(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto drives =
+      std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty", "force_N"});
+  static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
+  std::map<std::string, std::array<bool, 2>> devices;  // by what stands before the last stroke: moves, is driven
+  const auto deviceOf = [&table](size_t c) {
+    const std::string& name = table.columns[c].channel.name;
+    const std::string bare = name.substr(0, name.find_first_of("[("));  // without "(rot/s)"
+    const size_t stroke = bare.find_last_of('/');
+    return stroke == std::string::npos ? std::string() : bare.substr(0, stroke);
+  };
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool path = !deviceOf(c).empty();
+    if (choices[c].byMap || choices[c].byTool) return;
+    if (!path && choices[c].name.understood() && choices[c].name.to != "time_s") return;
+    if (!path) continue;
+    devices[deviceOf(c)][0] |= isIn(motions, choices[c].name.to);
+    devices[deviceOf(c)][1] |= isIn(drives, choices[c].name.to);
+  }
+  const auto driven =
+      std::find_if(devices.begin(), devices.end(), [](const auto& one) { return one.second[0] && one.second[1]; });
+  if (driven == devices.end()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (isIn(motions, choices[c].name.to) && !devices[deviceOf(c)][1])
+      setAside(choices[c], message("nothing drives it, as {} is driven", driven->first));
+  }
+}
+
+void setUnmovedReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto wordsBut = [&table](size_t c) {
     Words words = wordsOf(table.columns[c].channel.name, true);
     std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
@@ -67,131 +94,6 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
         setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
     }
   }
-}
-
-/// "pedal_torque", "steering_torque" beside a motor's motion; a bench's is the motor's.
-void setOthersTorquesAside(const RawTable& table, std::vector<Choice>& choices) {
-  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});
-  static constexpr auto benches =
-      std::to_array<std::string_view>({"dyno", "dynamometer", "bench", "rig", "test", "cell", "transducer", "meter"});
-  const auto wordsAt = [&table](size_t c) { return wordsOf(table.columns[c].channel.name, true); };
-  size_t motion = choices.size();
-  for (size_t c = choices.size(); c-- > 0;) {
-    const std::string& to = choices[c].name.to;
-    const bool moves = to == "angle_rad" || to == "velocity_rad_per_s";
-    if (moves && firstIn(wordsAt(c), motors) != nullptr) motion = c;
-  }
-  if (motion == choices.size()) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const Words words = wordsAt(c);
-    const Words moving = wordsAt(motion);
-    const bool alike = std::all_of(words.begin(), words.end(), [&moving](const std::string& word) {
-      return isIn(moving, word) || isKnownWord(word) || isNumber(word);  // "axis.Trq" beside "axis.VelMotor"
-    });
-    const bool own = alike || firstIn(words, motors) != nullptr || firstIn(words, benches) != nullptr;
-    if (choices[c].name.to != "torque_Nm" || !choices[c].name.qualified || choices[c].byMap || choices[c].byTool || own)
-      continue;
-    setAside(choices[c],
-             message("is called by something else than the motor, as {} is", table.columns[motion].channel.name));
-  }
-}
-
-/// "joint_torque" beside "joint_pos" is the joint's, where the motion that was taken is "motor_pos", before its gear.
-void setOtherSidesDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
-  static constexpr auto drives = std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty"});
-  static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
-  static constexpr auto sides = std::to_array<std::string_view>({"motor", "mot", "rotor", "joint", "link", "output"});
-  const auto sideAt = [&table](size_t c) {
-    const Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
-    const std::string* side = firstIn(words, sides);
-    return side == nullptr ? std::string() : *side;
-  };
-  const auto motion =
-      std::find_if(choices.begin(), choices.end(), [](const Choice& one) { return isIn(motions, one.name.to); });
-  if (motion == choices.end()) return;
-  const std::string taken = sideAt(static_cast<size_t>(motion - choices.begin()));
-  for (size_t c = 0; c < choices.size() && !taken.empty(); ++c) {
-    const std::string side = sideAt(c);
-    const bool open = isIn(drives, choices[c].name.to) && !choices[c].byMap && !choices[c].byTool;
-    if (!open || side.empty() || side == taken) continue;
-    for (size_t k = 0; k < choices.size(); ++k) {
-      const ColumnName own = understandName(table.columns[k].channel.name, table.columns[k].unit);
-      if (choices[k].name.understood() || sideAt(k) != side || !isIn(motions, own.to)) continue;
-      setAside(choices[c], message("belongs to {}, which isn't taken", table.columns[k].channel.name));
-      break;
-    }
-  }
-}
-
-/// "index_torque" beside "index_position" is of that, where the motion that was taken is "arm_position".
-void setOthersDrivesAside(const RawTable& table, std::vector<Choice>& choices) {
-  static constexpr auto motions = std::to_array<UnitKind>({UnitKind::angle, UnitKind::angularVelocity});
-  static constexpr auto drives = std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty"});
-  const auto ownerAt = [&table](size_t c) {
-    Words owner = ownerOf(table.columns[c].channel.name);
-    std::erase_if(owner, [](const std::string& word) { return isNumber(word); });
-    return owner;
-  };
-  const auto motion = std::find_if(choices.begin(), choices.end(), [](const Choice& one) {
-    return one.name.to == "angle_rad" || one.name.to == "velocity_rad_per_s";
-  });
-  if (motion == choices.end()) return;
-  const size_t taken = static_cast<size_t>(motion - choices.begin());
-  const Words mover = ownerAt(taken);
-  if (mover.empty()) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const Words owner = ownerAt(c);
-    const bool open = isIn(drives, choices[c].name.to) && !choices[c].byMap && !choices[c].byTool;
-    if (!open || owner.empty() || owner == mover || firstIn(owner, mover) != nullptr) continue;
-    for (size_t k = 0; k < choices.size(); ++k) {
-      const Words words = wordsOf(table.columns[k].channel.name, true);
-      const bool moves = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-        const Word* quantity = quantityNamed(word);
-        return quantity != nullptr && !quantity->weak &&
-               std::find(motions.begin(), motions.end(), quantity->kind) != motions.end();
-      });
-      if (k == taken || !moves || ownerAt(k) != owner || firstIn(words, referenceWords) != nullptr) continue;
-      setAside(choices[c], message("belongs to {}, which isn't taken", table.columns[k].channel.name));
-      break;
-    }
-  }
-}
-
-}  // namespace
-
-void preferDriven(const RawTable& table, std::vector<Choice>& choices) {
-  static constexpr auto drives =
-      std::to_array<std::string_view>({"torque_Nm", "current_A", "voltage_V", "duty", "force_N"});
-  static constexpr auto motions = std::to_array<std::string_view>({"angle_rad", "velocity_rad_per_s"});
-  std::map<std::string, std::array<bool, 2>> devices;  // by what stands before the last stroke: moves, is driven
-  const auto deviceOf = [&table](size_t c) {
-    const std::string& name = table.columns[c].channel.name;
-    const std::string bare = name.substr(0, name.find_first_of("[("));  // without "(rot/s)"
-    const size_t stroke = bare.find_last_of('/');
-    return stroke == std::string::npos ? std::string() : bare.substr(0, stroke);
-  };
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool path = !deviceOf(c).empty();
-    if (choices[c].byMap || choices[c].byTool) return;
-    if (!path && choices[c].name.understood() && choices[c].name.to != "time_s") return;
-    if (!path) continue;
-    devices[deviceOf(c)][0] |= isIn(motions, choices[c].name.to);
-    devices[deviceOf(c)][1] |= isIn(drives, choices[c].name.to);
-  }
-  const auto driven =
-      std::find_if(devices.begin(), devices.end(), [](const auto& one) { return one.second[0] && one.second[1]; });
-  if (driven == devices.end()) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    if (isIn(motions, choices[c].name.to) && !devices[deviceOf(c)][1])
-      setAside(choices[c], message("nothing drives it, as {} is driven", driven->first));
-  }
-}
-
-void setOthersAside(const RawTable& table, std::vector<Choice>& choices) {
-  setOtherSidesDrivesAside(table, choices);
-  setOthersDrivesAside(table, choices);
-  setOthersReferencesAside(table, choices);
-  setOthersTorquesAside(table, choices);
 }
 
 }  // namespace breakaway

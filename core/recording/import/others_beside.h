@@ -12,8 +12,7 @@ namespace breakaway {
 /// drives are set aside if another one moves and is driven.
 void preferDriven(const RawTable& table, std::vector<Choice>& choices);
 
-/// Once one column is chosen for each thing: sets aside what another angle shall be ("handle_angle_cmd"), and a torque
-/// that is called by something else ("pedal_torque") where the motion is called the motor's.
-void setOthersAside(const RawTable& table, std::vector<Choice>& choices);
+/// Once one column is chosen for each thing: sets aside what another angle shall be ("handle_angle_cmd").
+void setUnmovedReferencesAside(const RawTable& table, std::vector<Choice>& choices);
 
 }  // namespace breakaway

@@ -80,8 +80,8 @@ const std::string* otherThingIn(const std::vector<std::string>& words);
 /// Of these a vehicle or a hand turns about one; of a joint they are the name.
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw", "tilt", "lean"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(
-    {"joint", "joints", "motor", "mot", "servo", "actuator", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
-     "knee", "ankle", "waist", "gimbal", "encoder", "stepper"});
+    {"joint",   "joints", "motor", "mot",   "servo", "actuator", "wrist",   "forearm", "elbow",   "shoulder",
+     "gripper", "hip",    "knee",  "ankle", "waist", "gimbal",   "encoder", "enc",     "stepper", "blade"});
 inline constexpr auto loadWords =
     std::to_array<std::string_view>({"load", "external", "friction", "disturbance", "gravity", "cogging", "brake",
                                      "braking", "bremse", "frein", "freno", "carga", "feedforward", "ff"});

@@ -58,7 +58,10 @@ void Settling::setSteadyDutyAside() {
   const auto speed = columnOf("velocity_rad_per_s");
   const bool moves = turnsBothWays() || (speed && turnsBack(values(*speed)) >= often);
   if (rangeOf(values(*c)) == 0.0 && largest(values(*c)) > 0.0 && moves)
-    keep(*c, message("never changes although the speed does"));
+    return keep(*c, message("never changes although the speed does"));
+  const bool beside = goesBelowZero("voltage_V") || goesBelowZero("current_A") || goesBelowZero("torque_Nm");
+  if (turnsBothWays() && beside && !goesBelowZero("duty") && largest(values(*c)) > 0.0)
+    keep(*c, message("tells no direction although the axis turns both ways"));
 }
 
 Result<void> Settling::dutyBeyond(size_t c, const Message& what) {

@@ -22,7 +22,7 @@ bool namesOnlyReference(const Words& words) {
 }  // namespace
 
 void Settling::takeReferencesByValues() {
-  constexpr double follows = 0.75, least = 0.6, most = 1.6;
+  constexpr double follows = 0.75, least = 0.8, most = 1.25;  // a drive goes with the speed, too
   for (size_t c = 0; c < fates_.size(); ++c) {
     if (!isFree(c)) continue;
     const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
