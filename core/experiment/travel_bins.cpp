@@ -20,6 +20,15 @@ double speedAt(const StrokeTrace& trace, size_t tick, size_t half) {
   return (trace.position_m[to] - trace.position_m[from]) / (static_cast<double>(to - from) * trace.tick_s);
 }
 
+/// Of the later of two samples in the current's mean between them: the voltage is constant meanwhile, and the current
+/// follows it by 1 − e^(−t/τ). A half where a tick is short against L/R, all of it where the current is there at once.
+double laterPart(double tick_s, double windingTime_s) {
+  const double ratio = tick_s / std::max(1e-12, windingTime_s);
+  if (ratio < 1e-3) return 0.5;
+  const double reached = -std::expm1(-ratio);
+  return (1.0 - reached / ratio) / reached;
+}
+
 constexpr double steadyPart = 0.35;  // part of its speed by which a stroke may swing about it
 
 /// Root mean square over the ticks [in, out) of ∫(i − a − b·t)dt, with the line a + b·t fitted to the current, without
@@ -51,6 +60,7 @@ void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan
   const double way = trace.position_m.back() > trace.position_m.front() ? 1.0 : -1.0;
   const size_t half = std::max<size_t>(2, static_cast<size_t>(std::lround(halfSpan_s / trace.tick_s)));
   const double width_m = bins.width_m();
+  const double later = laterPart(trace.tick_s, trace.windingTime_s);
   size_t tick = half;
   for (size_t n = 0; n < bins.count; ++n) {
     const size_t bin = way > 0.0 ? n : bins.count - 1 - n;
@@ -63,7 +73,10 @@ void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan
     const double speed = width_m / (static_cast<double>(out - in) * trace.tick_s);
     if (steadiness.perAmpere_m_per_s2 * swing_A_s(trace, in, out, steadiness.noiseRms_A) > steadyPart * speed) continue;
     TravelBinSums& sum = sums[way > 0.0 ? 1 : 0][bin];
-    for (size_t k = in; k < out; ++k) sum.current_A += trace.current_A[k];
+    // From tick to tick, as the speed's growth is: a half of one off, and what cogging asks of the current at each
+    // place would look like friction that grows with speed.
+    for (size_t k = in; k < out; ++k)
+      sum.current_A += (1.0 - later) * trace.current_A[k] + later * trace.current_A[k + 1];
     sum.samples += out - in;
     sum.velocity_m_per_s += (trace.position_m[out] - trace.position_m[in]) / trace.tick_s;
     sum.acceleration_m_per_s2 += (speedAt(trace, out, half) - speedAt(trace, in, half)) / trace.tick_s;

@@ -21,6 +21,7 @@ struct TravelBins {
 struct StrokeTrace {
   std::vector<double> position_m, current_A;
   double tick_s = 0.0;
+  double windingTime_s = 0.0;  ///< L/R, by which the current follows a tick's voltage; 0: at once
 
   void clear() {
     position_m.clear();
@@ -34,11 +35,12 @@ struct Steadiness {
   double noiseRms_A = 0.0;          ///< of one sample of the current
 };
 
-/// Adds to each bin that the stroke crossed from end to end its samples: current, speed, and by how much the speed
-/// grew, from the speeds at the bin's ends as central differences over ± `halfSpan_s`. Bins in which it stood or turned
-/// are left out, and those in which its speed swung by more than a third of itself, as the swings of the current off
-/// its straight line move the axis: one that creeps and jumps from count to count passes through all speeds, and its
-/// mean force isn't that of its mean speed.
+/// Adds to each bin that the stroke crossed from end to end its samples: current (its mean from the tick at which the
+/// bin was entered to that at which it was left, as the winding lets it flow between samples), speed, and by how much
+/// the speed grew, from the speeds at the bin's ends as central differences over ± `halfSpan_s`. Bins in which it stood
+/// or turned are left out, and those in which its speed swung by more than a third of itself, as the swings of the
+/// current off its straight line move the axis: one that creeps and jumps from count to count passes through all
+/// speeds, and its mean force isn't that of its mean speed.
 void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s, const Steadiness& steadiness,
                std::array<std::vector<TravelBinSums>, 2>& sums);
 

@@ -59,6 +59,7 @@ void TravelSweep::enter(Stage stage, const Sample& sample) {
   moved_m_ = sample.angle_rad;
   trace_.clear();
   trace_.tick_s = tick_s();
+  trace_.windingTime_s = options_.windingTime_s;
 }
 
 Command TravelSweep::run(const Sample& sample) {
