@@ -19,6 +19,7 @@ class TestBoardDrive : public QObject {
   void identityAndSettings_comeOverTheWire();
   void serialNumber_isToldByABoardThatHasOne();
   void configure_givesWhatTheBoardAccepted();
+  void bandwidths_areTakenWithinTheirRangeAndUsed();
   void advance_givesEveryTickOnceAsTheBoardInProcess();
   void stop_opensTheWindingsAndStays();
   void homing_findsTheIndexAsInProcess();
@@ -107,6 +108,44 @@ void TestBoardDrive::configure_givesWhatTheBoardAccepted() {
   settings.velocity_kp_A_s_per_rad = -1.0;
   VERIFY_ERROR(board.drive->configure(settings), "settings: hold a value that is negative or not finite");
   QCOMPARE(board.drive->settings(), *accepted);
+}
+
+/// A faster current loop brings more of the sensor's noise into the voltage, a faster observer more rounding into the
+/// speed.
+void TestBoardDrive::bandwidths_areTakenWithinTheirRangeAndUsed() {
+  const auto board = opened();
+  ControllerSettings settings = board.drive->settings();
+  QCOMPARE(settings.velocity_bandwidth_rad_per_s, 400.0);
+  QCOMPARE(settings.current_bandwidth_rad_per_s, 300.0);
+  const auto noiseOf = [&board](const ControllerSettings& wanted) {
+    if (auto taken = board.drive->configure(wanted); !taken) qFatal("%s", taken.error().message().c_str());
+    board.drive->command({Command::Mode::velocity, 20.0, 0.0, false});
+    advanced(*board.drive, 1.5);
+    double squares_V2 = 0.0, squares = 0.0, mean_V = 0.0, mean = 0.0;
+    const auto samples = advanced(*board.drive, 0.4);
+    const auto n = static_cast<double>(samples.size());
+    for (const Sample& one : samples) mean_V += one.voltage_V / n, mean += one.velocity_rad_per_s / n;
+    for (const Sample& one : samples)
+      squares_V2 += std::pow(one.voltage_V - mean_V, 2), squares += std::pow(one.velocity_rad_per_s - mean, 2);
+    return std::pair(std::sqrt(squares_V2 / n), std::sqrt(squares / n));
+  };
+  const auto [usual_V, usual] = noiseOf(settings);
+  settings.current_bandwidth_rad_per_s = 1500.0;
+  const auto [quick_V, same] = noiseOf(settings);
+  QVERIFY2(quick_V > 2.0 * usual_V, qPrintable(QString("%1 V, then %2 V").arg(usual_V).arg(quick_V)));
+  settings.current_bandwidth_rad_per_s = 0.0;  // unsaid: stays
+  settings.velocity_bandwidth_rad_per_s = 1e6;
+  const auto accepted = board.drive->configure(settings);
+  VERIFY_OK(accepted);
+  QCOMPARE(accepted->current_bandwidth_rad_per_s, 1500.0);
+  QVERIFY(std::abs(accepted->velocity_bandwidth_rad_per_s - 5000.0) < 1.0);  // one over the tick
+  settings.velocity_bandwidth_rad_per_s = 2000.0;
+  const auto [noisy_V, noisy] = noiseOf(settings);
+  QVERIFY2(noisy > 2.0 * same, qPrintable(QString("%1 rad/s, then %2").arg(same).arg(noisy)));
+  settings.current_bandwidth_rad_per_s = 1e-3;
+  const auto least = board.drive->configure(settings);
+  VERIFY_OK(least);
+  QVERIFY(std::abs(least->current_bandwidth_rad_per_s - 30.0) < 1e-3);
 }
 
 void TestBoardDrive::advance_givesEveryTickOnceAsTheBoardInProcess() {
