@@ -24,6 +24,7 @@ class TestTravelFriction : public QObject {
   void creepAndJumps_areNoSpeed();
   void coggingThatTheCurrentFollows_standsAtItsPlace_data();
   void coggingThatTheCurrentFollows_standsAtItsPlace();
+  void speedThatSwingsQuickly_isntFlattened();
 };
 
 namespace {
@@ -310,6 +311,34 @@ void TestTravelFriction::coggingThatTheCurrentFollows_standsAtItsPlace() {
                  off_A = mean_A - meanOver(from_m, from_m + bins.width_m());
     QVERIFY2(std::abs(off_A) < 0.002, qPrintable(QString("%1: %2 off").arg(k).arg(off_A)));
   }
+}
+
+/// Cogging that nothing makes up for swings the speed, within ± 1 ms by a good part of its wave: that is no friction.
+void TestTravelFriction::speedThatSwingsQuickly_isntFlattened() {
+  constexpr double tick_s = 1.25e-4, period_m = 5.8e-3, speed = 0.7, swing = 0.02;
+  const double wave = 2.0 * std::numbers::pi / period_m;
+  const TravelBins bins{0.005, 0.05, 150};
+  StrokeTrace trace;
+  trace.tick_s = tick_s;
+  trace.reachesFar = reachesFar(0.001, speed, bins);
+  QVERIFY(trace.reachesFar && !reachesFar(0.001, 0.07, bins));
+  double at_m = 0.0;
+  for (size_t k = 0; at_m < 0.057; ++k) {
+    trace.position_m.push_back(at_m);
+    trace.current_A.push_back(0.0);
+    for (int part = 0; part < 8; ++part) at_m += tick_s / 8.0 * (speed + swing * std::sin(wave * at_m));
+  }
+  std::array<std::vector<TravelBinSums>, 2> sums;
+  addStroke(trace, bins, 0.001, {}, sums);
+  double shown = 0.0, is = 0.0;
+  for (size_t k = 0; k < bins.count; ++k) {
+    const TravelBinSums& sum = sums[1][k];
+    QVERIFY(sum.samples > 0);
+    const double truth = speed * swing * wave * std::cos(wave * bins.centre_m(k));
+    shown += truth * sum.acceleration_m_per_s2 / static_cast<double>(sum.samples);
+    is += truth * truth;
+  }
+  QVERIFY2(std::abs(shown / is - 1.0) < 0.05, qPrintable(QString::number(shown / is)));
 }
 
 QTEST_APPLESS_MAIN(TestTravelFriction)
