@@ -7,8 +7,9 @@ namespace breakaway {
 
 namespace {
 
-/// The tick at which the stroke is nearest to a place that it passes, or the trace's length; `way` 1 or −1. The first one
-/// beyond it would be half a tick late on average, and what cogging asks for there is another force, the faster it goes.
+/// The tick at which the stroke is nearest to a place that it passes, or the trace's length; `way` 1 or −1. The first
+/// one beyond it would be half a tick late on average, and what cogging asks for there is another force, the faster it
+/// goes.
 size_t passes(const StrokeTrace& trace, double place_m, double way, size_t from) {
   for (size_t k = from; k < trace.position_m.size(); ++k) {
     const double beyond_m = way * (trace.position_m[k] - place_m);
