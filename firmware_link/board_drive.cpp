@@ -30,9 +30,15 @@ constexpr double resendAfter_s = 0.02;  // on a local link an answer takes far l
 constexpr double unbounded = 1e9;       // what a board names as a parameter's most that has none
 constexpr double patience_s = 3.0;      // for a granted slice, however slow its emulator
 
-ControllerSettings settingsOf(const std::vector<double>& values) {
-  ControllerSettings settings;
-  for (std::size_t k = 0; k < values.size(); ++k) settings.*profileParameters()[k].value = values[k];
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
+/// `settings` with what a board answered.
+ControllerSettings withAnswer(ControllerSettings settings, const NamedValues& asked, const std::vector<double>& told) {
+  for (const auto& [name, value] : profileParameters()) {
+    for (std::size_t k = 0; k < told.size(); ++k) {
+      if (asked[k].first == name) settings.*value = told[k];
+    }
+  }
   return settings;
 }
 
@@ -136,11 +142,16 @@ Result<void> BoardDrive::greet() {
   identity_.serialNumber = asUtf8(dictionary_.serialNumber());
   identity_.can.compensates = dictionary_.can(wire::Hello::friction);
   identity_.can.runsLegs = dictionary_.can(wire::Hello::legs);
+  NamedValues known;
   std::vector<std::string> names;
-  for (const auto& [name, member] : profileParameters()) names.emplace_back(name);
+  for (const auto& [name, member] : profileParameters()) {
+    if (mayBeUnsaid(member) && dictionary_.find(name) == nullptr) continue;  // an older board
+    known.emplace_back(name, 0.0);
+    names.emplace_back(name);
+  }
   const auto values = dictionary_.values(link_, names);
   if (!values) return values.error();
-  settings_ = settingsOf(*values);
+  settings_ = withAnswer({}, known, *values);
   const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s", "current_zero_A"});
   if (!limits) return limits.error();
   limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad(), identity_.axis};
@@ -174,11 +185,14 @@ std::vector<SettingRange> BoardDrive::settingRanges() const {
 
 Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wanted) {
   if (auto good = checkSettings(wanted); !good) return good.error();
-  std::vector<std::pair<std::string, double>> values;
-  for (const auto& [name, member] : profileParameters()) values.emplace_back(name, wanted.*member);
+  NamedValues values;
+  for (const auto& [name, member] : profileParameters()) {
+    const bool asked = !mayBeUnsaid(member) || (wanted.*member > 0.0 && dictionary_.find(name) != nullptr);
+    if (asked) values.emplace_back(name, wanted.*member);
+  }
   const auto accepted = dictionary_.write(link_, values);
   if (!accepted) return accepted.error();
-  settings_ = settingsOf(*accepted);
+  settings_ = withAnswer(settings_, values, *accepted);
   return settings_;
 }
 

@@ -41,6 +41,8 @@ constexpr Range ranges[] = {
     {"winding_inductance_H", 0.0, 1e3},
     {"winding_back_emf_V_s_per_rad", 0.0, 1e4},
     {"current_zero_A", -1e5, 1e5},
+    {"velocity_bandwidth_rad_per_s", 1e-3, 1e7},
+    {"current_bandwidth_rad_per_s", 1e-3, 1e7},
 };
 
 constexpr double mostScale = 1e3;    // of a channel: 3e7 of its unit

@@ -6,6 +6,7 @@
 
 #include "control/board_watch.h"
 #include "control/servo_controller.h"
+#include "control/tuning.h"
 #include "experiment/profile.h"
 #include "experiment/servo_settings.h"
 #include "firmware_link/presets.h"
@@ -20,11 +21,17 @@ namespace {
 
 constexpr double lease_s = 0.2;  // without a word from the host the board opens the windings
 
-ControllerSettings settingsOf(const ServoSettings<double>& servo) {
-  ControllerSettings limits;
-  limits.current_limit_A = servo.current_limit_A;
-  limits.velocity_limit_rad_per_s = servo.gains.velocity_limit_rad_per_s;
-  return withTuning(limits, servo);
+ControllerSettings settingsOf(const board::BoardHardware<double>& hardware) {
+  ControllerSettings present;
+  present.current_limit_A = hardware.start.current_limit_A;
+  present.velocity_limit_rad_per_s = hardware.start.gains.velocity_limit_rad_per_s;
+  present.velocity_bandwidth_rad_per_s = hardware.servo.velocityBandwidth_rad_per_s;
+  present.current_bandwidth_rad_per_s = hardware.servo.current.bandwidth_rad_per_s;
+  return withTuning(present, hardware.start);
+}
+
+SettingRange offered(const BandwidthRange<double>& range) {
+  return {true, range.least_rad_per_s, range.most_rad_per_s};
 }
 
 /// The same for every board: what the port says, whatever runs beneath it.
@@ -55,7 +62,7 @@ class SimulatedBoard final : public Drive {
         mostCurrent_A_(hardware.mostCurrent_A),
         mostVelocity_rad_per_s_(hardware.mostVelocity_rad_per_s),
         watch_(hardware.watch),
-        settings_(settingsOf(hardware.start)),
+        settings_(settingsOf(hardware)),
         identity_{"simulated board, rig " + rig.name,
                   "simulated 0.1.0",
                   true,
@@ -102,6 +109,10 @@ std::vector<SettingRange> SimulatedBoard::settingRanges() const {
     if (member == &ControllerSettings::observer_cutoff_rad_per_s) ranges[k].most = 0.5 / ticks_s_;
     if (member == &ControllerSettings::current_limit_A) ranges[k].most = mostCurrent_A_;
     if (member == &ControllerSettings::velocity_limit_rad_per_s) ranges[k].most = mostVelocity_rad_per_s_;
+    if (member == &ControllerSettings::velocity_bandwidth_rad_per_s)
+      ranges[k] = offered(velocityBandwidthRange(ticks_s_));
+    if (member == &ControllerSettings::current_bandwidth_rad_per_s)
+      ranges[k] = offered(currentBandwidthRange(ticks_s_));
   }
   return ranges;
 }
@@ -111,8 +122,10 @@ Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& w
   const auto ranges = settingRanges();
   for (size_t k = 0; k < ranges.size(); ++k) {
     const auto member = profileParameters()[k].value;
-    settings_.*member = std::min(wanted.*member, ranges[k].most);
+    if (mayBeUnsaid(member) && !(wanted.*member > 0.0)) continue;
+    settings_.*member = std::clamp(wanted.*member, ranges[k].least, ranges[k].most);
   }
+  controller_.setBandwidths(settings_.velocity_bandwidth_rad_per_s, settings_.current_bandwidth_rad_per_s);
   controller_.configure(servoSettings(settings_));
   return settings_;
 }

@@ -60,6 +60,7 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
 ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings, const KnownMotor& motor) {
   const double tick_s = identity.loopRate_Hz > 0.0 ? 1.0 / identity.loopRate_Hz : 0.0;
   const double revolution = identity.axis == Axis::rotary ? turn_rad : 1.0;  // or a metre
+  const double velocity = settings.velocity_bandwidth_rad_per_s, current = settings.current_bandwidth_rad_per_s;
   ServoLoop loop;
   loop.motor = motor.values;
   const bool wound = motor.values.resistance_ohm > 0.0 && motor.values.inductance_H > 0.0;
@@ -68,8 +69,8 @@ ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings
   loop.board = {tick_s,
                 identity.countsPerRev > 0.0 ? revolution / identity.countsPerRev : 0.0,
                 {motor.values.resistance_ohm, motor.values.inductance_H, motor.values.backEmfConstant_V_s_per_rad,
-                 boardCurrentBandwidth_rad_per_s(tick_s)},
-                boardVelocityBandwidth_rad_per_s(tick_s)};
+                 current > 0.0 ? current : boardCurrentBandwidth_rad_per_s(tick_s)},
+                velocity > 0.0 ? velocity : boardVelocityBandwidth_rad_per_s(tick_s)};
   loop.settings = servoSettings(settings);
   return loop;
 }

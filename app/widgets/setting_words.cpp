@@ -48,7 +48,15 @@ constexpr SettingInWords settingTable[] = {
     {&S::current_limit_A, Unit::current, QT_TRANSLATE_NOOP("SettingWords", "Current limit"), nullptr,
      QT_TRANSLATE_NOOP("SettingWords", "The controller asks for no more current than this, either way.")},
     {&S::velocity_limit_rad_per_s, Unit::speed, QT_TRANSLATE_NOOP("SettingWords", "Velocity limit"), nullptr,
-     QT_TRANSLATE_NOOP("SettingWords", "The controller goes no faster than this, either way.")}};
+     QT_TRANSLATE_NOOP("SettingWords", "The controller goes no faster than this, either way.")},
+    {&S::velocity_bandwidth_rad_per_s, Unit::perTime, QT_TRANSLATE_NOOP("SettingWords", "Speed observer w"), nullptr,
+     QT_TRANSLATE_NOOP("SettingWords",
+                       "Bandwidth of the speed from the encoder's counts: faster lags less, and "
+                       "lets more of their rounding through.")},
+    {&S::current_bandwidth_rad_per_s, Unit::perTime, QT_TRANSLATE_NOOP("SettingWords", "Current loop w"), nullptr,
+     QT_TRANSLATE_NOOP("SettingWords",
+                       "Bandwidth of the current loop: faster follows more closely, and lets more "
+                       "of the sensor's noise into the winding.")}};
 
 QString settingText(const char* text) {
   return QCoreApplication::translate("SettingWords", text);

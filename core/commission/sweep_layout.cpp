@@ -37,6 +37,11 @@ double torqueScaleError(const Commission& known) {
   return Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
 }
 
+double windingTime_s(const Commission& known) {
+  const double resistance_ohm = known.motor.resistance_ohm.value;
+  return resistance_ohm > 0.0 ? std::max(0.0, known.motor.inductance_H.value / resistance_ohm) : 0.0;
+}
+
 VelocityFrictionOptions frictionOptions(const Commission& known) {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
@@ -46,8 +51,7 @@ VelocityFrictionOptions frictionOptions(const Commission& known) {
   options.noiseRms_A = known.noiseRms_A;
   options.tick_s =
       known.identity.can.everyTick && known.identity.loopRate_Hz > 0.0 ? 1.0 / known.identity.loopRate_Hz : 0.0;
-  const double resistance_ohm = known.motor.resistance_ohm.value;
-  options.windingTime_s = resistance_ohm > 0.0 ? known.motor.inductance_H.value / resistance_ohm : 0.0;
+  options.windingTime_s = windingTime_s(known);
   options.zeroError_A = known.runsZeroError_A;
   options.angleError_rad = known.indexAngle_rad.standardError;
   if (!known.runs.empty()) {

@@ -21,6 +21,9 @@ std::vector<double> speedParts(std::span<const double> own, size_t speeds, doubl
 /// Relative standard error of the torque constant, common to all torques.
 double torqueScaleError(const Commission& known);
 
+/// L/R in s, by which the current comes after the voltage; 0: not known.
+double windingTime_s(const Commission& known);
+
 /// Of a rotor, from what is known of its motor.
 VelocityFrictionOptions frictionOptions(const Commission& known);
 

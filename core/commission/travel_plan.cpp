@@ -78,6 +78,7 @@ TravelSweepOptions velocitySweepOver(const Commission& axis, std::span<const dou
   }
   options.acceleration_m_per_s2 = axis.pace.acceleration_m_per_s2;
   options.run_s = run_s;
+  options.windingTime_s = windingTime_s(axis);
   options.steadiness = {axis.torquePerAmpere_Nm() / axis.motor.inertia_kg_m2.value, axis.noiseRms_A};
   options.zeroing_s = sensorZeroing_s(axis);
   options.index_m = axis.indexAngle_rad.value;
@@ -94,6 +95,7 @@ TravelBreakawayOptions breakawaySweepOver(const Commission& axis, const std::arr
   options.torqueConstant_Nm_per_A = axis.torquePerAmpere_Nm();
   options.resistance_ohm = axis.shownResistance_ohm;
   options.deadZone_V = axis.linearised ? 0.0 : motor.deadZone_V.value;
+  options.windingTime_s = windingTime_s(axis);
   options.inertia_kg_m2 = motor.inertia_kg_m2.value;
   options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
   options.moving_A = moving_A;

@@ -78,6 +78,14 @@ class ServoController {
     setLimit();
   }
 
+  /// Of the speed observer and the current loop, in place of the board's own. Precondition: both positive.
+  void setBandwidths(Scalar velocity_rad_per_s, Scalar current_rad_per_s) {
+    board_.velocityBandwidth_rad_per_s = velocity_rad_per_s;
+    board_.current.bandwidth_rad_per_s = current_rad_per_s;
+    current_.configure(board_.current, board_.tick_s);
+    configure(settings_);
+  }
+
   /// From now on current, velocity and position mode add the friction's torque; a table without bins ends it. The
   /// disturbance feedback then takes what the table leaves over. `cutoff_rad_per_s`: of compensator B, 0: unfiltered.
   void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {

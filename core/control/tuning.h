@@ -32,6 +32,21 @@ constexpr Scalar boardCurrentBandwidth_rad_per_s(Scalar tick_s) {
   return sampled < Scalar(300) ? sampled : Scalar(300);
 }
 
+/// What a board takes for these two: from a tenth of its own on, up to where speed observer and current loop stay sound
+/// with a tick of delay in between.
+template <typename Scalar>
+struct BandwidthRange {
+  Scalar least_rad_per_s = 0, most_rad_per_s = 0;
+};
+template <typename Scalar>
+constexpr BandwidthRange<Scalar> velocityBandwidthRange(Scalar tick_s) {
+  return {Scalar(0.1) * boardVelocityBandwidth_rad_per_s(tick_s), Scalar(1) / tick_s};
+}
+template <typename Scalar>
+constexpr BandwidthRange<Scalar> currentBandwidthRange(Scalar tick_s) {
+  return {Scalar(0.1) * boardCurrentBandwidth_rad_per_s(tick_s), Scalar(0.5) / tick_s};
+}
+
 /// The observer cutoff that keeps αgT ≤ 0.3 and the damping ζ = ½√(g_v/(αg)) ≥ 0.707 behind a speed filter of g_v, α
 /// = 1.
 template <typename Scalar>

@@ -10,7 +10,8 @@ struct BreakawayLag {
   double torqueConstant_Nm_per_A = 0.0;
   double backEmfConstant_V_s_per_rad = 0.0;  ///< 0: no braking by the winding
   double resistance_ohm = 0.0;
-  double friction_A = 0.0;  ///< that it broke loose at, a part of which may fall with speed; 0: friction stays
+  double friction_A = 0.0;     ///< that it broke loose at, a part of which may fall with speed; 0: friction stays
+  double windingTime_s = 0.0;  ///< L/R, by which the current follows a step of the voltage; 0: at once
 };
 
 /// Time in s from letting go until the travel reaches `travel_rad`, while the current's ramp goes on at `rate_A_per_s`.

@@ -53,8 +53,12 @@ bool BreakawayProcedure::cameTooSoon(double inRamp_s) {
 }
 
 BreakawayEvent BreakawayProcedure::ended(double begun_s) const {
-  const BreakawayLag motor{shared_.inertia_kg_m2, shared_.torqueConstant_Nm_per_A, shared_.backEmfConstant_V_s_per_rad,
-                           shared_.resistance_ohm};
+  const BreakawayLag motor{shared_.inertia_kg_m2,
+                           shared_.torqueConstant_Nm_per_A,
+                           shared_.backEmfConstant_V_s_per_rad,
+                           shared_.resistance_ohm,
+                           0.0,
+                           shared_.windingTime_s};
   BreakawayEvent event = ramp_.event(motor, tick_s());
   event.time_s += begun_s;
   event.zero_A = zeroing_.zero_A();

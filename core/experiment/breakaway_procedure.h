@@ -20,6 +20,7 @@ struct BreakawayOptions {
   /// The winding's steady line, from the winding test or, with a zero dead zone, from the bench's resistance. The ramp
   /// is made by voltage along it, because a current loop would bring the sensor's noise into the winding.
   double resistance_ohm = 0.0, deadZone_V = 0.0;
+  double windingTime_s = 0.0;                ///< L/R, by which the current comes after the ramp's first step
   double inertia_kg_m2 = 0.0;                ///< for the lag's correction; 0: none
   double backEmfConstant_V_s_per_rad = 0.0;  ///< likewise
   /// What keeps it moving at low speed, per place and Way, positive in the way's direction. Its half difference holds

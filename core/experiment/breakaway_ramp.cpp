@@ -8,6 +8,7 @@ namespace breakaway {
 namespace {
 constexpr double leastStand_s = 0.03;  // on one count, of a rotor that stands
 constexpr size_t leastRampRows = 20;
+constexpr double settledTimes = 7.0;  // L/R, after which a thousandth of a step is left
 }  // namespace
 
 double BreakawayRamp::commandedAt(double inRamp_s) const {
@@ -57,8 +58,13 @@ BreakawayEvent BreakawayRamp::event(const BreakawayLag& motor, double tick_s) co
   event.time_s = rows_[moved].time_s - lag_s;
   event.commanded_A = std::max(plan_.start_A, rows_[moved].commanded_A - rate * lag_s);
   event.lag_A = rate * lag_s;
-  // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end.
+  // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end, another
+  // once the current has come after its first step: a winding that takes T for it would make static friction by
+  // 2·T/ramp_s of that step too large.
   size_t first = 0;
+  while (!plan_.learning && first + leastRampRows < standing &&
+         rows_[first].time_s - rows_.front().time_s < settledTimes * motor.windingTime_s)
+    ++first;
   while (plan_.learning && first + leastRampRows < standing && rows_[first].commanded_A < 0.5 * event.commanded_A)
     ++first;
   double xx = 0.0, xy = 0.0, x = 0.0, y = 0.0;

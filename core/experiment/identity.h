@@ -22,6 +22,8 @@ struct ControllerSettings {
   double nominal_torque_constant_Nm_per_A = 0.0;
   double current_limit_A = 0.0;
   double velocity_limit_rad_per_s = 0.0;
+  double velocity_bandwidth_rad_per_s = 0.0;  ///< of the speed observer; 0: unsaid, stays as the board has it
+  double current_bandwidth_rad_per_s = 0.0;   ///< of the current loop, likewise
   bool operator==(const ControllerSettings&) const = default;
 };
 

@@ -12,7 +12,7 @@ namespace breakaway {
 namespace {
 
 using Settings = ControllerSettings;
-constexpr std::array<ProfileParameter, 11> parameters{
+constexpr std::array<ProfileParameter, 13> parameters{
     {{"velocity_kp_A_s_per_rad", &Settings::velocity_kp_A_s_per_rad},
      {"velocity_ki_A_per_rad", &Settings::velocity_ki_A_per_rad},
      {"velocity_kd_A_s2_per_rad", &Settings::velocity_kd_A_s2_per_rad},
@@ -23,10 +23,21 @@ constexpr std::array<ProfileParameter, 11> parameters{
      {"nominal_inertia_kg_m2", &Settings::nominal_inertia_kg_m2},
      {"nominal_torque_constant_Nm_per_A", &Settings::nominal_torque_constant_Nm_per_A},
      {"current_limit_A", &Settings::current_limit_A},
-     {"velocity_limit_rad_per_s", &Settings::velocity_limit_rad_per_s}}};
+     {"velocity_limit_rad_per_s", &Settings::velocity_limit_rad_per_s},
+     {"velocity_bandwidth_rad_per_s", &Settings::velocity_bandwidth_rad_per_s},
+     {"current_bandwidth_rad_per_s", &Settings::current_bandwidth_rad_per_s}}};
 
 std::string numberText(double value) {
   return fmt::format("{:.9g}", value);
+}
+
+/// Whether `settings` say nothing of it.
+bool isUnsaid(const Settings& settings, double Settings::*value) {
+  return mayBeUnsaid(value) && !(settings.*value > 0.0);
+}
+
+std::string valueText(const Settings& settings, double Settings::*value) {
+  return isUnsaid(settings, value) ? "not said" : numberText(settings.*value);
 }
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b) {
@@ -65,6 +76,10 @@ std::span<const ProfileParameter> profileParameters() {
   return parameters;
 }
 
+bool mayBeUnsaid(double ControllerSettings::*setting) {
+  return setting == &Settings::velocity_bandwidth_rad_per_s || setting == &Settings::current_bandwidth_rad_per_s;
+}
+
 bool sameSetting(double a, double b) {
   return std::abs(a - b) <= 2e-7 * std::max(std::abs(a), std::abs(b));
 }
@@ -89,8 +104,9 @@ Result<Profile> profileOf(Drive& board) {
 std::vector<ProfileRow> compareProfiles(const Profile& here, const Profile& there) {
   std::vector<ProfileRow> rows;
   for (const auto& [name, value] : parameters) {
-    const double a = here.settings.*value, b = there.settings.*value;
-    rows.push_back({name, numberText(a), numberText(b), sameSetting(a, b)});
+    const Settings &a = here.settings, &b = there.settings;
+    const bool unsaid = isUnsaid(a, value) || isUnsaid(b, value);
+    rows.push_back({name, valueText(a, value), valueText(b, value), unsaid || sameSetting(a.*value, b.*value)});
   }
   rows.push_back({frictionTableName, frictionText(here.friction), frictionText(there.friction),
                   sameFriction(here.friction, there.friction)});
@@ -141,7 +157,7 @@ Result<std::vector<RestoredRow>> restoreProfile(Drive& board, const Profile& pro
   }
   ControllerSettings wanted = before->settings;
   for (const auto& [name, value] : parameters) {
-    if (chosen(name)) wanted.*value = profile.settings.*value;
+    if (chosen(name) && !isUnsaid(profile.settings, value)) wanted.*value = profile.settings.*value;
   }
   const auto accepted = board.configure(wanted);
   if (!accepted) return accepted.error();
@@ -153,9 +169,9 @@ Result<std::vector<RestoredRow>> restoreProfile(Drive& board, const Profile& pro
   }
   std::vector<RestoredRow> rows;
   for (const auto& [name, value] : parameters) {
-    if (!chosen(name)) continue;
-    rows.push_back({name, numberText(wanted.*value), numberText((*accepted).*value),
-                    sameSetting(wanted.*value, (*accepted).*value)});
+    if (!chosen(name) || isUnsaid(profile.settings, value)) continue;
+    rows.push_back(
+        {name, numberText(wanted.*value), valueText(*accepted, value), sameSetting(wanted.*value, (*accepted).*value)});
   }
   if (chosen(frictionTableName)) {
     const auto after = profileOf(board);

@@ -26,6 +26,8 @@ struct ProfileParameter {
   double ControllerSettings::*value;
 };
 std::span<const ProfileParameter> profileParameters();
+/// Whether boards and files may not have it, which is 0 among the settings and asks for nothing: the two bandwidths.
+bool mayBeUnsaid(double ControllerSettings::*setting);
 /// Error: one of them is negative or not finite.
 Result<void> checkSettings(const ControllerSettings& settings);
 

@@ -43,8 +43,10 @@ Result<Profile> readProfile(JsonObject root) {
   profile.device = root.text("device");
   profile.firmware = root.text("firmware");
   JsonObject values = root.object("parameters");
-  for (const auto& [name, value] : profileParameters())
-    profile.settings.*value = values.number(name, Allowed::nonNegative);
+  for (const auto& [name, value] : profileParameters()) {
+    profile.settings.*value = mayBeUnsaid(value) ? values.optionalNumber(name, Allowed::positive).value_or(0.0)
+                                                 : values.number(name, Allowed::nonNegative);
+  }
   if (root.has(frictionTableName)) profile.friction = readFriction(root.object(frictionTableName));
   if (const auto done = root.finish(); !done) return done.error();
   return profile;
@@ -68,7 +70,9 @@ std::string profileText(const Profile& profile) {
   using Json = nlohmann::ordered_json;
   Json json{{"schema", schema}, {"device", profile.device}, {"firmware", profile.firmware}};
   json["parameters"] = Json::object();
-  for (const auto& [name, value] : profileParameters()) json["parameters"][name] = profile.settings.*value;
+  for (const auto& [name, value] : profileParameters()) {
+    if (!mayBeUnsaid(value) || profile.settings.*value > 0.0) json["parameters"][name] = profile.settings.*value;
+  }
   if (profile.friction) {
     const FrictionCompensation& friction = *profile.friction;
     Json& table = json[frictionTableName] = Json{{"index_angle_rad", friction.indexAngle_rad},

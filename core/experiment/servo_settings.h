@@ -7,7 +7,8 @@
 namespace breakaway {
 
 ServoSettings<double> servoSettings(const ControllerSettings& settings);
-/// `present` with the gains, the observer and the nominal values of `tuned`; its limits stay.
+/// `present` with the gains, the observer and the nominal values of `tuned`; its limits and
+/// bandwidths stay.
 ControllerSettings withTuning(const ControllerSettings& present, const ServoSettings<double>& tuned);
 
 }  // namespace breakaway

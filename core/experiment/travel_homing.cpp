@@ -25,7 +25,10 @@ bool TravelHoming::stalled(const Sample& sample) {
 void TravelHoming::see(const Sample& sample, double before_m) {
   ++rows_;
   if (!sample.index) return;
-  const double here_m = 0.5 * (before_m + sample.angle_rad), tolerance_m = indexTolerance_m(options_.count_m);
+  // It was passed anywhere since the last tick, here as at the first sight.
+  const double here_m = 0.5 * (before_m + sample.angle_rad), room_m = 0.5 * std::abs(sample.angle_rad - before_m);
+  if (sights_m_.empty()) firstRoom_m_ = room_m;
+  const double tolerance_m = indexTolerance_m(options_.count_m) + room_m + firstRoom_m_;
   if (!sights_m_.empty() && std::abs(here_m - sights_m_.front()) > tolerance_m) {
     fail(2 * sights_m_.size() > rows_
              ? invertedIndexText

@@ -46,7 +46,8 @@ class TravelHoming : public TimedProcedure {
   Glide glide_;
   Stage stage_ = Stage::lower;
   std::vector<double> sights_m_, edges_m_;
-  size_t rows_ = 0;  ///< samples seen
+  double firstRoom_m_ = 0.0;  ///< half of what was passed in the tick of the first
+  size_t rows_ = 0;           ///< samples seen
   double before_m_ = 0.0, stageStart_m_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0;
 };
 

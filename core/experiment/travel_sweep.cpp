@@ -50,7 +50,8 @@ double TravelSweep::left_s() const {
 
 /// Wide enough against the encoder's rounding, short against the time in a bin.
 double TravelSweep::halfSpan_s() const {
-  return std::clamp(0.25 * options_.bins.width_m() / speed(), leastHalfSpan_s, mostHalfSpan_s);
+  const double least_s = std::max(leastHalfSpan_s, 2.0 * tick_s());
+  return std::max(least_s, std::min(0.25 * options_.bins.width_m() / speed(), mostHalfSpan_s));
 }
 
 void TravelSweep::enter(Stage stage, const Sample& sample) {
@@ -59,6 +60,8 @@ void TravelSweep::enter(Stage stage, const Sample& sample) {
   moved_m_ = sample.angle_rad;
   trace_.clear();
   trace_.tick_s = tick_s();
+  trace_.windingTime_s = options_.windingTime_s;
+  trace_.reachesFar = reachesFar(now_.halfSpan_s, speed(), options_.bins);
 }
 
 Command TravelSweep::run(const Sample& sample) {

@@ -22,6 +22,7 @@ struct TravelSweepOptions {
   double zeroing_s = 0.6;
   double index_m = 0.0, indexTolerance_m = 0.0;  ///< from homing; a tolerance of 0: no index
   Steadiness steadiness;                         ///< by which bins count
+  double windingTime_s = 0.0;                    ///< L/R; 0: the current is there at once
   double stall_s = 2.0;
   double mostDrift_A = 0.1;
 };

@@ -216,6 +216,8 @@ void WiringCheck::weigh(const Sample& sample) {
   sums_.count += 1.0;
   if (!constant_A_) constant_A_ = sample.current_A;
   changes_ = changes_ || sample.current_A != *constant_A_;
+  if (const double size_V = std::abs(sample.voltage_V); size_V > 0.0)
+    bridgeStep_V_ = bridgeStep_V_ > 0.0 ? std::min(bridgeStep_V_, size_V) : size_V;
   if (sums_.count == 1.0 || sample.current_A != unchanged_.shown_A)
     unchanged_ = {sample.current_A, sample.voltage_V, sample.voltage_V};
   unchanged_.low_V = std::min(unchanged_.low_V, sample.voltage_V);
@@ -276,7 +278,9 @@ void WiringCheck::takeStanding() {
   const auto n = static_cast<double>(count);
   all = {all.voltage_V / n, all.current_A / n, perMean(options_.noise_A, count)};
   standing_[side()] = all;
-  limited_ = way_ * all.voltage_V < givenPart * level_V_ - 1e-3;
+  // A bridge makes small voltages of a few whole steps, some more or less of them in a pulse: that limits nothing.
+  const double rounding_V = bridgeStep_V_ > 0.0 ? 2.0 * bridgeStep_V_ / n : level_V_;
+  limited_ = way_ * all.voltage_V < givenPart * level_V_ - 1e-3 - rounding_V;
   const double first_A = thirds_[0].meanCurrent_A(), fall_A = first_A - thirds_[2].meanCurrent_A();
   const double error_A = perMean(options_.noise_A, std::min(thirds_[0].count, thirds_[2].count)) * std::sqrt(2.0);
   if (fall_A * first_A > 0.0 && std::abs(fall_A) > std::max(sure * error_A, fallen * std::abs(first_A))) {

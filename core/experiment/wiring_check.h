@@ -143,6 +143,7 @@ class WiringCheck : public TimedProcedure {
   std::array<Sum, 3> thirds_;  ///< of the pulse after settling
   bool held_ = false;          ///< it doesn't move, and nothing says why
   bool limited_ = false;       ///< the last pulse got less voltage than it asked for
+  double bridgeStep_V_ = 0.0;  ///< the smallest voltage of a driven tick; 0: none but zero
   double lastTravel_rad_ = 0.0, windowStart_rad_ = 0.0, windowStart_s_ = 0.0, kickSum_V_ = 0.0;
   double brakeStart_rad_ = 0.0, furthest_rad_ = 0.0;  ///< of what is braked, in its way
   bool turnedRound_ = false;

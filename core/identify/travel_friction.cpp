@@ -33,7 +33,8 @@ std::vector<Bin> pointsOf(const std::vector<TravelRun>& runs, size_t way, const 
   const double sign = signOf(Way(way)), Kf = options.forceConstant_N_per_A;
   for (size_t r = 0; r < runs.size(); ++r) {
     const TravelRun& run = runs[r];
-    const double speedError = options.count_m / std::sqrt(6.0) / (2.0 * run.halfSpan_s);
+    const double sharpened = reachesFar(run.halfSpan_s, run.target_m_per_s, options.bins) ? farNoise : 1.0;
+    const double speedError = sharpened * options.count_m / std::sqrt(6.0) / (2.0 * run.halfSpan_s);
     for (size_t k = 0; k < run.bins[way].size() && k < bins.size(); ++k) {
       const TravelBinSums& sum = run.bins[way][k];
       if (sum.samples < 2) continue;

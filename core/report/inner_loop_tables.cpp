@@ -128,8 +128,9 @@ std::string innerLoopWords(const TuningStudy& study) {
                         (!wound || isSame(study.inner.current.bandwidth_rad_per_s, current));
   if (!asBoards)
     words +=
-        "These gains ask for a board that is set so. Breakaway's own can't be, and may swing up with them: gains "
-        "for those with --board-bandwidths.\n";
+        "These gains ask for a board that is set so, and may swing up on another. Breakaway's own are by profile "
+        "restore "
+        "--tuning; gains for one that can't be with --board-bandwidths.\n";
   words.pop_back();
   return words;
 }

@@ -46,6 +46,9 @@ class ControlTick {
   }
 
   void configure(const ServoSettings<Scalar>& settings) { servo_.configure(settings); }
+  void setBandwidths(Scalar velocity_rad_per_s, Scalar current_rad_per_s) {
+    servo_.setBandwidths(velocity_rad_per_s, current_rad_per_s);
+  }
   /// Takes effect after as many ticks as the table has bins; it stays as it is until the next one.
   void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
     servo_.compensateSoon(friction, cutoff_rad_per_s);

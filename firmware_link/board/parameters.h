@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "control/tuning.h"
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/wire/messages.h"
 
@@ -36,6 +37,8 @@ enum class Parameter : std::uint16_t {
   inductance,
   backEmfConstant,
   currentZero,
+  velocityBandwidth,
+  currentBandwidth,
   count
 };
 inline constexpr std::size_t parameterCount = static_cast<std::size_t>(Parameter::count);
@@ -69,6 +72,8 @@ inline constexpr ParameterForm parameterForms[parameterCount] = {
     {"winding_inductance_H", wire::Format::float32, false},
     {"winding_back_emf_V_s_per_rad", wire::Format::float32, false},
     {"current_zero_A", wire::Format::float32, false},
+    {"velocity_bandwidth_rad_per_s", wire::Format::float32, true},  // of the speed observer
+    {"current_bandwidth_rad_per_s", wire::Format::float32, true},   // of the current loop
 };
 
 inline constexpr float longestLease_s = 0.25f;
@@ -103,6 +108,10 @@ class Parameters {
     begin(Parameter::resistance, hardware.servo.current.resistance_ohm);
     begin(Parameter::inductance, hardware.servo.current.inductance_H);
     begin(Parameter::backEmfConstant, hardware.servo.current.backEmfConstant_V_s_per_rad);
+    begin(Parameter::velocityBandwidth, hardware.servo.velocityBandwidth_rad_per_s,
+          velocityBandwidthRange(hardware.servo.tick_s));
+    begin(Parameter::currentBandwidth, hardware.servo.current.bandwidth_rad_per_s,
+          currentBandwidthRange(hardware.servo.tick_s));
     beginWhole(Parameter::telemetryEvery, 0, 255);
     beginWhole(Parameter::telemetryChannels, wire::usualChannels, wire::allChannels);
     // Each channel's full range in 16 bits; what is known in whole steps is sent in whole steps.
@@ -199,6 +208,10 @@ class Parameters {
     const auto k = static_cast<std::size_t>(which);
     word_[k] = std::bit_cast<std::uint32_t>(static_cast<float>(value));
     most_[k] = static_cast<float>(most);
+  }
+  void begin(Parameter which, Scalar value, BandwidthRange<Scalar> range) {
+    begin(which, value, range.most_rad_per_s);
+    least_[static_cast<std::size_t>(which)] = static_cast<float>(range.least_rad_per_s);
   }
   void beginWhole(Parameter which, std::uint32_t value, std::uint32_t most) {
     const auto k = static_cast<std::size_t>(which);

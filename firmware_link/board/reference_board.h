@@ -338,8 +338,15 @@ class ReferenceBoard {
       if (code != wire::Code::ok) return code;
     }
     const ServoSettings<Scalar> before = parameters_.servo();
+    const std::uint32_t velocityBefore = parameters_.whole(Parameter::velocityBandwidth);
+    const std::uint32_t currentBefore = parameters_.whole(Parameter::currentBandwidth);
     for (std::size_t k = 0; k < list.count; ++k) parameters_.set(list.value[k]);
     if (!(parameters_.servo() == before)) control_.configure(parameters_.servo());
+    if (parameters_.whole(Parameter::velocityBandwidth) != velocityBefore ||
+        parameters_.whole(Parameter::currentBandwidth) != currentBefore) {
+      control_.setBandwidths(parameters_.scalar(Parameter::velocityBandwidth),
+                             parameters_.scalar(Parameter::currentBandwidth));
+    }
     obeyParameters();
     out(list);
     return wire::Code::ok;

@@ -1048,6 +1048,22 @@
         <translation>Der Regler fährt nie schneller als so, in keiner Richtung.</translation>
     </message>
     <message>
+        <source>Speed observer w</source>
+        <translation>Geschwindigkeitsbeobachter w</translation>
+    </message>
+    <message>
+        <source>Bandwidth of the speed from the encoder's counts: faster lags less, and lets more of their rounding through.</source>
+        <translation>Bandbreite der Geschwindigkeit aus den Inkrementen: schneller hinkt weniger nach und lässt mehr von deren Rundung durch.</translation>
+    </message>
+    <message>
+        <source>Current loop w</source>
+        <translation>Stromregelung w</translation>
+    </message>
+    <message>
+        <source>Bandwidth of the current loop: faster follows more closely, and lets more of the sensor's noise into the winding.</source>
+        <translation>Bandbreite der Stromregelung: schneller folgt enger und lässt mehr vom Rauschen des Sensors in die Wicklung.</translation>
+    </message>
+    <message>
         <source>A/(m s)</source>
         <translation>A/(m s)</translation>
     </message>

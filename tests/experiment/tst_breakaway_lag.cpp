@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "experiment/breakaway_lag.h"
+#include "experiment/breakaway_ramp.h"
 
 using namespace breakaway;
 
@@ -14,7 +15,29 @@ class TestBreakawayLag : public QObject {
   void withoutBackEmf_itIsACubeRoot();
   void withBackEmf_itAgreesWithIntegration();
   void unknownInertia_givesNone();
+  void currentThatComesLate_isNoSteeperRamp();
 };
+
+/// A step and a ramp on a winding of L/R = 12 ms, on which the rotor lets go at 9 A.
+void TestBreakawayLag::currentThatComesLate_isNoSteeperRamp() {
+  constexpr double tick_s = 2.5e-4, winding_s = 0.012, start_A = 6.3, rate_A_per_s = 6.0, count_rad = 5e-5;
+  BreakawayRamp ramp({start_A, rate_A_per_s, 100.0, false}, 1.0, 0.0, count_rad, 1);
+  double time_s = 0.0, flows_A = 0.0;
+  for (; flows_A < 9.0; time_s += tick_s) {
+    const double commanded_A = start_A + rate_A_per_s * time_s;
+    ramp.add({time_s, commanded_A, flows_A, 0.0});
+    flows_A += (commanded_A - flows_A) * -std::expm1(-tick_s / winding_s);
+  }
+  ramp.add({time_s, start_A + rate_A_per_s * time_s, flows_A, 1.1 * count_rad});
+  const auto slopeOf = [](const BreakawayEvent& event) { return event.covariance_A2 / event.commandedVariance_A2; };
+  BreakawayLag motor;
+  const double early = slopeOf(ramp.event(motor, tick_s));
+  QVERIFY2(early > 1.15, qPrintable(QString::number(early)));
+  motor.windingTime_s = winding_s;
+  const BreakawayEvent event = ramp.event(motor, tick_s);
+  QVERIFY2(std::abs(slopeOf(event) - 1.0) < 0.01, qPrintable(QString::number(slopeOf(event))));
+  QVERIFY2(std::abs(event.current_A - 9.0) < 0.01, qPrintable(QString::number(event.current_A)));
+}
 
 void TestBreakawayLag::withoutBackEmf_itIsACubeRoot() {
   QVERIFY(std::abs(motionLag_s({6e-5, 0.07, 0.0, 0.0}, 0.2, 2e-4) - std::cbrt(6.0 * 2e-4 * 6e-5 / (0.07 * 0.2))) <

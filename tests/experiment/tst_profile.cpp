@@ -1,3 +1,4 @@
+#include <QRegularExpression>
 #include <QTest>
 
 #include "experiment/abilities.h"
@@ -48,6 +49,7 @@ class TestProfile : public QObject {
   void tableOfBins_needsTheIndex();
   void unknownName_isNamed_andNothingIsWritten();
   void limits_areTheBoards();
+  void fileWithoutBandwidths_leavesTheBoardsAsTheyAre();
   void badFile_isOneLine_data();
   void badFile_isOneLine();
 };
@@ -169,6 +171,30 @@ void TestProfile::limits_areTheBoards() {
   QCOMPARE(row.wanted, std::string("500"));
   QVERIFY(std::abs(std::stod(row.accepted) - drive->settings().current_limit_A) < 1e-6);
   QVERIFY(drive->settings().current_limit_A < 50.0);
+}
+
+/// As files were before boards had these two settings.
+void TestProfile::fileWithoutBandwidths_leavesTheBoardsAsTheyAre() {
+  const auto drive = board();
+  const auto saved = profileOf(*drive);
+  VERIFY_OK(saved);
+  QString text = QString::fromStdString(profileText(*saved));
+  text.replace(QRegularExpression(R"re(,\s*"(velocity|current)_bandwidth_rad_per_s": [0-9.]+)re"), "");
+  QVERIFY(!text.contains("bandwidth"));
+  const auto old = readProfileText(text.toStdString(), "p.json");
+  VERIFY_OK(old);
+  QCOMPARE(old->settings.current_bandwidth_rad_per_s, 0.0);
+  QVERIFY(profileText(*old).find("bandwidth") == std::string::npos);
+  ControllerSettings other = drive->settings();
+  other.current_bandwidth_rad_per_s = 700.0;
+  VERIFY_OK(drive->configure(other));
+  const auto now = profileOf(*drive);
+  VERIFY_OK(now);
+  for (const ProfileRow& row : compareProfiles(*now, *old)) QVERIFY2(row.same, row.name.c_str());
+  const auto rows = restoreProfile(*drive, *old, {});
+  VERIFY_OK(rows);
+  QCOMPARE(rows->size(), profileParameters().size() - 1);
+  QCOMPARE(drive->settings().current_bandwidth_rad_per_s, 700.0);
 }
 
 void TestProfile::badFile_isOneLine_data() {

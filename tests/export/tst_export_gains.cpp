@@ -138,6 +138,12 @@ void TestExportGains::command_writesSaysAndRefuses() {
   QVERIFY2(done.status == 0 && done.out.contains("Lost: the disturbance observer"), qPrintable(done.err));
   const auto text = readFile(folder.path("g.txt"));
   QVERIFY(text.ok() && near(valueOf(*text, "foc_current_ki"), 300.0 * 1.2) && valueOf(*text, "s_pid_kp") > 0.0);
+  const Outcome given = said("profile restore --board simulated --tuning t/tuning.json");
+  QVERIFY2(given.status == 0 && given.out.contains("velocity_bandwidth_rad_per_s: 400 accepted") &&
+               given.out.contains("nominal_inertia_kg_m2: 6e-05 accepted") && !given.out.contains("limit"),
+           qPrintable(given.out + given.err));
+  const Outcome both = said("profile restore --board simulated --profile p.json --tuning t/tuning.json");
+  QVERIFY2(both.status == 2 && both.err.contains("--tuning: takes the place of --profile"), qPrintable(both.err));
   const Outcome piped = said("export --tuning t/tuning.json --as odrive --out -");
   QVERIFY(piped.status == 0 && piped.out.contains("vel_gain = "));
 

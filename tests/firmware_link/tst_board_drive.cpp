@@ -19,6 +19,7 @@ class TestBoardDrive : public QObject {
   void identityAndSettings_comeOverTheWire();
   void serialNumber_isToldByABoardThatHasOne();
   void configure_givesWhatTheBoardAccepted();
+  void bandwidths_areTakenWithinTheirRangeAndUsed();
   void advance_givesEveryTickOnceAsTheBoardInProcess();
   void stop_opensTheWindingsAndStays();
   void homing_findsTheIndexAsInProcess();
@@ -107,6 +108,48 @@ void TestBoardDrive::configure_givesWhatTheBoardAccepted() {
   settings.velocity_kp_A_s_per_rad = -1.0;
   VERIFY_ERROR(board.drive->configure(settings), "settings: hold a value that is negative or not finite");
   QCOMPARE(board.drive->settings(), *accepted);
+}
+
+/// A faster current loop brings more of the sensor's noise into the voltage, a faster observer more rounding into the
+/// speed.
+void TestBoardDrive::bandwidths_areTakenWithinTheirRangeAndUsed() {
+  const auto board = opened();
+  ControllerSettings settings = board.drive->settings();
+  QCOMPARE(settings.velocity_bandwidth_rad_per_s, 400.0);
+  QCOMPARE(settings.current_bandwidth_rad_per_s, 300.0);
+  const auto scatterOf = [](const std::vector<Sample>& samples, double Sample::*what) {
+    const auto n = static_cast<double>(samples.size());
+    double mean = 0.0, squares = 0.0;
+    for (const Sample& one : samples) mean += one.*what / n;
+    for (const Sample& one : samples) squares += std::pow(one.*what - mean, 2) / n;
+    return std::sqrt(squares);
+  };
+  const auto scatterWith = [&](const ControllerSettings& wanted, const Command& command, double Sample::*what) {
+    if (auto taken = board.drive->configure(wanted); !taken) qFatal("%s", taken.error().message().c_str());
+    board.drive->command(command);
+    advanced(*board.drive, 1.0);
+    return scatterOf(advanced(*board.drive, 0.4), what);
+  };
+  const Command stands{Command::Mode::current, 0.1, 0.0, false}, turns{Command::Mode::velocity, 20.0, 0.0, false};
+  const double usual_V = scatterWith(settings, stands, &Sample::voltage_V);
+  settings.current_bandwidth_rad_per_s = 1500.0;
+  const double quick_V = scatterWith(settings, stands, &Sample::voltage_V);
+  QVERIFY2(quick_V > 2.5 * usual_V && quick_V < 8.0 * usual_V,
+           qPrintable(QString("%1 V, then %2 V").arg(usual_V).arg(quick_V)));
+  const double usual = scatterWith(settings, turns, &Sample::velocity_rad_per_s);
+  settings.current_bandwidth_rad_per_s = 0.0;  // unsaid: stays
+  settings.velocity_bandwidth_rad_per_s = 1e6;
+  const auto accepted = board.drive->configure(settings);
+  VERIFY_OK(accepted);
+  QCOMPARE(accepted->current_bandwidth_rad_per_s, 1500.0);
+  QVERIFY(std::abs(accepted->velocity_bandwidth_rad_per_s - 5000.0) < 1.0);  // one over the tick
+  settings.velocity_bandwidth_rad_per_s = 1600.0;
+  const double noisy = scatterWith(settings, turns, &Sample::velocity_rad_per_s);
+  QVERIFY2(noisy > 1.5 * usual, qPrintable(QString("%1 rad/s, then %2").arg(usual).arg(noisy)));
+  settings.current_bandwidth_rad_per_s = 1e-3;
+  const auto least = board.drive->configure(settings);
+  VERIFY_OK(least);
+  QVERIFY(std::abs(least->current_bandwidth_rad_per_s - 30.0) < 1e-3);
 }
 
 void TestBoardDrive::advance_givesEveryTickOnceAsTheBoardInProcess() {

@@ -33,6 +33,8 @@ class TestWiringCheck : public QObject {
   void supplyMisread_isGoneOnWithOnlyAnyway();
   void anotherMotorOnResume_isTold();
   void heavyRotor_isGivenTime();
+  void coarseBridge_isNoCurrentLimit_data();
+  void coarseBridge_isNoCurrentLimit();
   void coarseEncoderOnAnyMotor_passes();
   void coarseEncoder_passes_data();
   void coarseEncoder_passes();
@@ -276,6 +278,23 @@ void TestWiringCheck::coarseEncoderOnAnyMotor_passes() {
     const Checked all = checked(rig.dump(), {}, seed);
     QVERIFY2(all.done.ok(), qPrintable(QString("seed %1: ").arg(seed) + all.said()));
   }
+}
+
+void TestWiringCheck::coarseBridge_isNoCurrentLimit_data() {
+  QTest::addColumn<double>("pwmSteps");
+  QTest::newRow("0.16 V") << 1000.0;
+  QTest::newRow("0.63 V") << 256.0;
+}
+
+/// The first pulses ask for 0.02 V, of which a bridge of 160 V makes two steps or three in a pulse of thirty ticks.
+void TestWiringCheck::coarseBridge_isNoCurrentLimit() {
+  QFETCH(double, pwmSteps);
+  auto rig = nlohmann::json::parse(wiredRig("servo", ""));
+  rig["loop_rate_Hz"] = 500;
+  rig["bridge"]["supply_V"] = 160.0;
+  rig["bridge"]["pwm_steps"] = pwmSteps;
+  const Checked all = checked(rig.dump());
+  QVERIFY2(all.done.ok() && all.said().contains("breaks loose"), qPrintable(all.said()));
 }
 
 void TestWiringCheck::coarseEncoder_passes_data() {

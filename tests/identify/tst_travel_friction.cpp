@@ -22,6 +22,9 @@ class TestTravelFriction : public QObject {
   void coarseCounts_dontMakeFriction();
   void creepAndJumps_areNoSpeed_data();
   void creepAndJumps_areNoSpeed();
+  void coggingThatTheCurrentFollows_standsAtItsPlace_data();
+  void coggingThatTheCurrentFollows_standsAtItsPlace();
+  void speedThatSwingsQuickly_isntFlattened();
 };
 
 namespace {
@@ -262,6 +265,80 @@ void TestTravelFriction::creepAndJumps_areNoSpeed() {
   TravelRun run;
   run.bins = {sums[1], sums[1]};
   QCOMPARE(tellsOfFriction(run), counts);
+}
+
+void TestTravelFriction::coggingThatTheCurrentFollows_standsAtItsPlace_data() {
+  QTest::addColumn<double>("windingTime_s");
+  QTest::newRow("there at once") << 0.0;
+  QTest::newRow("within a tick") << 1e-4;
+  QTest::newRow("long") << 4e-3;
+}
+
+/// At a constant speed the current makes up for cogging, in steps of the tick's voltage: the bins show the same force
+/// at each speed, where half a tick's shift would be 2 % of it.
+void TestTravelFriction::coggingThatTheCurrentFollows_standsAtItsPlace() {
+  QFETCH(double, windingTime_s);
+  constexpr double tick_s = 1.25e-4, period_m = 5.8e-3, speed = 0.3;
+  const double wave = 2.0 * std::numbers::pi / period_m;
+  const auto meanOver = [&](double from_m, double to_m) {
+    return (std::cos(wave * from_m) - std::cos(wave * to_m)) / (wave * (to_m - from_m));
+  };
+  StrokeTrace trace;
+  trace.tick_s = tick_s;
+  trace.windingTime_s = windingTime_s;
+  // Between two ticks a current flows whose mean is what is asked for there.
+  const double q = windingTime_s > 0.0 ? std::exp(-tick_s / windingTime_s) : 0.0;
+  const double lasting = windingTime_s > 0.0 ? windingTime_s / tick_s * (1.0 - q) : 0.0;
+  double current_A = 0.0;
+  for (size_t k = 0; static_cast<double>(k) * tick_s * speed < 0.03; ++k) {
+    const double at_m = static_cast<double>(k) * tick_s * speed;
+    trace.position_m.push_back(at_m);
+    trace.current_A.push_back(current_A);
+    const double wanted_A = meanOver(at_m, at_m + tick_s * speed);
+    const double end_A = windingTime_s > 10.0 * tick_s
+                             ? std::sin(wave * (at_m + tick_s * speed))
+                             : current_A + (wanted_A - current_A) * (1.0 - q) / std::max(1e-9, 1.0 - lasting);
+    current_A = end_A;
+  }
+  std::array<std::vector<TravelBinSums>, 2> sums;
+  // Bins that end where ticks do.
+  const double first_m = 100.0 * tick_s * speed - 1e-9;
+  const TravelBins bins{first_m, first_m + 24.0 * 24.0 * tick_s * speed, 24};
+  addStroke(trace, bins, 0.001, {}, sums);
+  for (size_t k = 0; k < bins.count; ++k) {
+    const double mean_A = sums[1][k].current_A / static_cast<double>(sums[1][k].samples);
+    const double from_m = bins.centre_m(k) - 0.5 * bins.width_m(),
+                 off_A = mean_A - meanOver(from_m, from_m + bins.width_m());
+    QVERIFY2(std::abs(off_A) < 0.002, qPrintable(QString("%1: %2 off").arg(k).arg(off_A)));
+  }
+}
+
+/// Cogging that nothing makes up for swings the speed, within ± 1 ms by a good part of its wave: that is no friction.
+void TestTravelFriction::speedThatSwingsQuickly_isntFlattened() {
+  constexpr double tick_s = 1.25e-4, period_m = 5.8e-3, speed = 0.7, swing = 0.02;
+  const double wave = 2.0 * std::numbers::pi / period_m;
+  const TravelBins bins{0.005, 0.05, 150};
+  StrokeTrace trace;
+  trace.tick_s = tick_s;
+  trace.reachesFar = reachesFar(0.001, speed, bins);
+  QVERIFY(trace.reachesFar && !reachesFar(0.001, 0.07, bins));
+  double at_m = 0.0;
+  for (size_t k = 0; at_m < 0.057; ++k) {
+    trace.position_m.push_back(at_m);
+    trace.current_A.push_back(0.0);
+    for (int part = 0; part < 8; ++part) at_m += tick_s / 8.0 * (speed + swing * std::sin(wave * at_m));
+  }
+  std::array<std::vector<TravelBinSums>, 2> sums;
+  addStroke(trace, bins, 0.001, {}, sums);
+  double shown = 0.0, is = 0.0;
+  for (size_t k = 0; k < bins.count; ++k) {
+    const TravelBinSums& sum = sums[1][k];
+    QVERIFY(sum.samples > 0);
+    const double truth = speed * swing * wave * std::cos(wave * bins.centre_m(k));
+    shown += truth * sum.acceleration_m_per_s2 / static_cast<double>(sum.samples);
+    is += truth * truth;
+  }
+  QVERIFY2(std::abs(shown / is - 1.0) < 0.05, qPrintable(QString::number(shown / is)));
 }
 
 QTEST_APPLESS_MAIN(TestTravelFriction)

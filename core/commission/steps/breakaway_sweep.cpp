@@ -37,6 +37,7 @@ BreakawaySweepOptions sweepAround(const Commission& known) {
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
   options.resistance_ohm = line.resistance_ohm.value;
   options.deadZone_V = line.deadZone_V.value;
+  options.windingTime_s = windingTime_s(known);
   options.inertia_kg_m2 = known.motor.inertia_kg_m2.value;
   options.backEmfConstant_V_s_per_rad = known.motor.backEmfConstant_V_s_per_rad.value;
   options.expected_A = known.expected_A;

@@ -1,4 +1,6 @@
 // The controller that measurements run with; on a linear axis with how fast it may go between its ends.
+#include <algorithm>
+
 #include "base/numbers.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
@@ -25,7 +27,9 @@ double slowedBy(const Movable& what, double filter, double cutoff, double limit_
 }
 
 ControllerSettings carefullyTuned(const Movable& what, double tick_s, const ControllerSettings& present) {
-  const double filter = boardVelocityBandwidth_rad_per_s(tick_s), cutoff = tuneObserver(tick_s, filter);
+  // A faster observer than the board's own isn't made use of, but a slower one asks for slower loops.
+  const double own = boardVelocityBandwidth_rad_per_s(tick_s), set = present.velocity_bandwidth_rad_per_s;
+  const double filter = set > 0.0 ? std::min(set, own) : own, cutoff = tuneObserver(tick_s, filter);
   const double slowed = slowedBy(what, filter, cutoff, present.current_limit_A);
   const double velocity = slowed * velocityPart * filter, position = slowed * positionPart * filter;
   return withTuning(present, {tuneMotion(what.inertia, what.perAmpere, velocity, position), slowed * cutoff,

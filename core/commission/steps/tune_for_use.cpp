@@ -16,8 +16,12 @@ Result<ControllerSettings> mediumSettings(const Commission& done, const Controll
   bench.controller.currentLimit_A = present.current_limit_A;
   BoardTiming timing;
   timing.tick_s = 1.0 / done.identity.loopRate_Hz;
-  const auto loop = loopOfBench(bench, timing);
+  auto loop = loopOfBench(bench, timing);
   if (!loop) return loop.error();
+  if (present.velocity_bandwidth_rad_per_s > 0.0)
+    loop->board.velocityBandwidth_rad_per_s = present.velocity_bandwidth_rad_per_s;
+  if (present.current_bandwidth_rad_per_s > 0.0)
+    loop->board.current.bandwidth_rad_per_s = present.current_bandwidth_rad_per_s;
   // Torques are per ampere as the sensor shows it; its gain is part of the constant's doubt.
   const Estimate& trueConstant = done.motor.torqueConstant_Nm_per_A;
   const double shown = done.motor.torquePerShownAmpere_Nm();
