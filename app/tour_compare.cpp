@@ -28,6 +28,7 @@ void Tour::compare() {
     trouble_ = "the diagnosis did not end";
     return;
   }
+  if (!wait([this] { return !session_.comparison.evidenceIsComing(); })) trouble_ = "the evidence doesn't come";
   shoot("compare-diagnosed");
   if (session_.comparison.diagnosis()->where.empty()) return;
   auto* axis = window_.findChild<QComboBox*>("residualAxis");

@@ -173,6 +173,7 @@ void Comparison::forgetDiagnosis() {
   torque_.reset();
   evidences_.clear();
   evidence_ = 0;
+  evidenceComes_ = false;
   prepareOverview();
   emit inputsChanged();
   emit diagnosisChanged();
@@ -254,6 +255,7 @@ void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {
     mended_ = mended(*recording_, *diagnosis_->misread);
     prepareOverview();
   }
+  evidenceComes_ = true;
   emit diagnosisChanged();
   simulateBase();
   simulateShown();
@@ -269,6 +271,7 @@ void Comparison::gatherEvidence() {
       if (mine != wanted_) return;
       evidences_ = evidences;
       evidence_ = 0;
+      evidenceComes_ = false;
       emit evidenceChanged();
     };
   });

@@ -94,6 +94,8 @@ class Comparison : public QObject {
   const Trace& shownTrace() const { return shown_; }
   /// What both leave of the torque, where that counts; it comes with shownTrace().
   const std::optional<TorqueView>& torque() const { return torque_; }
+  /// A diagnosis is there, and what unseen data show of it isn't yet.
+  bool evidenceIsComing() const { return evidenceComes_; }
   /// Of the finding that was chosen, the first one at the beginning; it comes a little after the diagnosis.
   const Evidence* evidence() const { return evidence_ < evidences_.size() ? &evidences_[evidence_] : nullptr; }
   /// One for each finding that has an axis of its own.
@@ -145,6 +147,7 @@ class Comparison : public QObject {
   std::optional<TorqueView> torque_;
   std::vector<Evidence> evidences_;
   size_t evidence_ = 0;  ///< which of them is chosen
+  bool evidenceComes_ = false;
   unsigned wanted_ = 0;  ///< number of the newest simulation or diagnosis asked for; older answers are not shown
   bool diagnosing_ = false;
   double progress_ = 0.0;

@@ -84,9 +84,10 @@ void EvidencePlot::draw() {
   hint_->setVisible(evidence == nullptr);
   hint_->setFont(typed(Type::body));
   hint_->setTextColor(look.muted);
-  const bool nothing = comparison_.diagnosis() && comparison_.diagnosis()->findings.empty();
-  hint_->setText(nothing ? tr("No place stands out on unseen data")
-                         : tr("The residual torque over the finding's own axis comes with the diagnosis"));
+  hint_->setText(!comparison_.diagnosis()
+                     ? tr("The residual torque over the finding's own axis comes with the diagnosis")
+                 : comparison_.evidenceIsComing() ? tr("What unseen data show is being worked out")
+                                                  : tr("No place stands out on unseen data"));
   title_->setTextColor(look.ink);
   title_->setFont(typed(Type::caption));
   title_->setVisible(evidence != nullptr);

@@ -2097,6 +2097,10 @@
         <translation>Das Restmoment über der Achse des Befunds kommt mit der Diagnose</translation>
     </message>
     <message>
+        <source>What unseen data show is being worked out</source>
+        <translation>Was ungesehene Daten zeigen, wird gerade berechnet</translation>
+    </message>
+    <message>
         <source>too little data</source>
         <translation>zu wenig Daten</translation>
     </message>
