@@ -1049,7 +1049,7 @@
     </message>
     <message>
         <source>Speed observer w</source>
-        <translation>Geschwindigkeitsbeobachter w</translation>
+        <translation>Beobachter w</translation>
     </message>
     <message>
         <source>Bandwidth of the speed from the encoder's counts: faster lags less, and lets more of their rounding through.</source>

@@ -204,7 +204,7 @@ class Looker {
     if (change.own) return {};
     if (!scales) {
       if (!enough(change) || !possible(effect, one) || !saying(effect, one)) return {};
-      return Smallest{one, SightLimit::grid, change.position};
+      return Smallest{one, SightLimit::grid, std::abs(one.front())};
     }
     // What it changes grows with its square.
     double factor = std::sqrt(worth_.leastBack(change.inFew) / std::max(change.position, 1e-300));

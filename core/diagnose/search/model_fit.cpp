@@ -229,11 +229,14 @@ static void fromOtherInertias(const SearchInput& input, FitResult& best) {
   const bool inMotion = input.split.train.front().errorIn == ErrorIn::motion;
   if (!inMotion || input.freedom.holds(inertia) || best.rmse <= input.criteria.farOff * noise) return;
   const Model begun = best.model;
+  double least = input.criteria.farLess * std::pow(fitModel(input, begun, 8).rmse, 2);  // all go on for as long
   for (const double factor : {1.0 / otherInertia, otherInertia}) {
     Model start = begun;
     for (Parameter& one : start.base) one.value *= one.name == inertia ? factor : 1.0;
     FitResult fit = fitModel(input, start, 8);
-    if (fit.usable && std::pow(fit.rmse, 2) < input.criteria.farLess * std::pow(best.rmse, 2)) best = std::move(fit);
+    if (!fit.usable || std::pow(fit.rmse, 2) >= least) continue;
+    least = std::pow(fit.rmse, 2);
+    best = std::move(fit);
   }
 }
 
