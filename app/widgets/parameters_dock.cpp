@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -20,7 +21,7 @@ namespace breakaway {
 namespace {
 
 enum Column { tickColumn, nameColumn, boardColumn, editedColumn, beforeColumn, profileColumn, rangeColumn };
-constexpr int columnWidths[] = {28, 0, 60, 68, 66, 66, 82};  // the name takes what is left
+constexpr int columnWidths[] = {24, 0, 58, 64, 66, 66, 82};  // the name takes what is left
 constexpr int digits = 4, mostDigits = 9, noteLines = 4, applyWidth = 144;
 constexpr int wide_px = 652, narrow_px = 430, wideFrom_px = 1700;  // the dock; from this window on it is wide
 
@@ -136,6 +137,8 @@ void ParametersDock::buildTable() {
   connect(header, &QHeaderView::sectionResized, this, [this](int resized) {
     if (resized == nameColumn) rowsSoon_.start();
   });
+  // Rows that come to need a scroll bar leave names less room.
+  connect(table_->verticalScrollBar(), &QScrollBar::rangeChanged, &rowsSoon_, qOverload<>(&QTimer::start));
   table_->horizontalHeaderItem(beforeColumn)
       ->setToolTip(tr("What the board had when it was connected; boards don't say what their defaults are"));
   connect(table_, &QTableWidget::cellChanged, this, &ParametersDock::takeCell);

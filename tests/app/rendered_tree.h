@@ -186,8 +186,8 @@ inline QStringList shortened(const QWidget& window) {
 /// One line for each cell of a column of words that its row has no room for.
 inline QStringList shortenedIn(const QTableView& table, int column) {
   QStringList found;
-  constexpr int margins_px = 8;
-  const int width = table.columnWidth(column) - margins_px;
+  const int margin_px = table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1;  // of a cell
+  const int width = table.columnWidth(column) - 2 * margin_px;
   for (int row = 0; row < table.model()->rowCount(); ++row) {
     const QString text = table.model()->index(row, column).data().toString();
     const QRect wanted = table.fontMetrics().boundingRect(0, 0, width, 0, Qt::TextWordWrap, text);
