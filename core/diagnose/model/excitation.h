@@ -36,8 +36,8 @@ struct Excitation {
   double longestRest_s = 0.0;     ///< standstill
   int starts = 0;                 ///< from standstill
   int reversals = 0;
-  double inertia = 0.0;                              ///< of the base model, kg m²
-  double coulomb = 0.0;                              ///< of the base model, Nm
+  double inertia = 0.0;                                                ///< of the base model, kg m²
+  double coulomb = 0.0;                                                ///< of the base model, Nm
   double immaterial = 0.01, soundPart = 0.05, immaterialDrive = 5e-4;  ///< of friction, of it and of the drive's peak:
                                                                        ///< as Criteria has them
 

@@ -201,8 +201,7 @@ Place placeOf(const ResidualMap& whole, const Model& model, const Criteria& crit
   place.share = map.share * at.share;
   place.pValue = map.pValue;
   // A wave of the turn is as long as all of it, even where one of its hills is the highest.
-  if (isWave(map, criteria))
-    place.share = map.share;
+  if (isWave(map, criteria)) place.share = map.share;
   if (map.axis == "reversal") place.from = std::max(0.0, place.from);
   place.sentence = sentenceOf(map, at, place, model.axis, criteria);
   place.size = std::abs(at.mean);
@@ -221,8 +220,8 @@ ResidualMap onlyThere(ResidualMap map, const Place& place, const Criteria& crite
   const auto covers = [&place](double at) { return at >= place.from && at <= place.to; };
   for (size_t cell = 0; cell < map.centre.size(); ++cell) {
     const double at = map.centre[cell];
-    const bool there = map.withinTurn && map.along == byAngle ? covers(at) || covers(at - turn_rad)
-                                                              : covers(at) || covers(-at);
+    const bool there =
+        map.withinTurn && map.along == byAngle ? covers(at) || covers(at - turn_rad) : covers(at) || covers(-at);
     if (!there) map.mean[cell] = std::nan("");
   }
   return map;
