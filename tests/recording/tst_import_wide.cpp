@@ -80,7 +80,7 @@ void TestImportWide::whatIsTaken_isOneOwners_data() {
   qsizetype turn = 0;  // each pair meets each pattern
   for (const QStringList& owners : pairs) {
     for (const QStringList& quantities : kinds) {
-      const QString pattern = patterns[turn++ % patterns.size()];
+      const QString& pattern = patterns[turn++ % patterns.size()];
       QTest::addRow("%s", qPrintable(pattern + ": " + owners.join(", ") + ": " + quantities.join(", ")))
           << pattern << owners << quantities;
     }
