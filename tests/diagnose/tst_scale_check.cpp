@@ -192,10 +192,8 @@ void TestScaleCheck::currentOfTheOtherSign_isTheAnswerAndTurned() {
   // It moves at one speed, 4.77 rad/s: what shows is friction there, of which Coulomb is 0.9 Nm.
   const auto part = [&](const char* name) { return *diagnosis->base.baseValue(name); };
   QVERIFY(within(part("coulomb_Nm") + 4.77 * part("viscous_Nm_s_per_rad"), 0.9 + 4.77 * 0.02, 0.1));
-  // How it is shared among both isn't known, and the interval says so: within a fifth of its width of what it is.
   for (const Parameter& one : diagnosis->base.base) {
-    const double beyond = 0.2 * (one.high95 - one.low95);
-    if (one.name == "coulomb_Nm") QVERIFY(one.low95 < 0.9 && one.high95 + beyond > 0.9 && one.high95 < 2.0);
+    if (one.name == "coulomb_Nm") QVERIFY(one.low95 < 0.9 && one.high95 > 0.9 && one.high95 < 2.0);
   }
   const auto turned = checked(bench, scaled(log->recording, "current_A", -1.0));
   QVERIFY(!turned.misread && turned.remarks.empty());

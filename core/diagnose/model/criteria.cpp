@@ -57,8 +57,7 @@ constexpr std::array table{
               "one false place in fifty"},
     Criterion{"beyondChance", &Criteria::beyondChance, ofChance,
               "an effect gains so many times the most that 199 sign flips gave; wander that no sound rig has is so "
-              "many times "
-              "what any may have",
+              "many times what any may have",
               "clean trials"},
     Criterion{"apart", &Criteria::apart, ofChance, "standard errors beyond which one of two effects is the better name",
               "the 95 % interval"},

@@ -219,15 +219,16 @@ static FitResult withFurther(const SearchInput& input, FitResult base, const std
   return gain > input.criteria.hardlyAny && typically ? further : base;
 }
 
-/// Of an axis that follows its drive within a few rows hardly anything shows the inertia, and a fit may come to rest in
-/// another valley: where even the best one is far off its sensors' noise, it begins again with far more of it and with
-/// far less.
+/// A motor that a voltage drives may follow it within a few rows, which hardly show the inertia then, and a fit may
+/// come to rest in another valley: where even the best one is far off its sensors' noise, it begins again with far more
+/// of it and with far less.
 static void fromOtherInertias(const SearchInput& input, FitResult& best) {
   const char* inertia = motorNames(best.model.axis).inertia;
   double noise = 0.0;
   for (const Track& track : input.tracks) noise = std::max(noise, track.readingNoise());
   const bool inMotion = input.split.train.front().errorIn == ErrorIn::motion;
-  if (!inMotion || input.freedom.holds(inertia) || best.rmse <= input.criteria.farOff * noise) return;
+  const bool follows = physicsOf(best.model).electrical;  // a current's torque shows the inertia in every row
+  if (!follows || !inMotion || input.freedom.holds(inertia) || best.rmse <= input.criteria.farOff * noise) return;
   const Model begun = best.model;
   double least = input.criteria.farLess * std::pow(fitModel(input, begun, 8).rmse, 2);  // all go on for as long
   for (const double factor : {1.0 / otherInertia, otherInertia}) {
