@@ -21,7 +21,7 @@ namespace breakaway {
 namespace {
 
 enum Column { tickColumn, nameColumn, boardColumn, editedColumn, beforeColumn, profileColumn, rangeColumn };
-constexpr int columnWidths[] = {24, 0, 58, 64, 66, 66, 82};  // the name takes what is left
+constexpr int columnWidths[] = {24, 0, 60, 68, 66, 66, 82};  // the name takes what is left
 constexpr int digits = 4, mostDigits = 9, noteLines = 4, applyWidth = 144;
 constexpr int wide_px = 652, narrow_px = 430, wideFrom_px = 1700;  // the dock; from this window on it is wide
 

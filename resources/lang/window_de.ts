@@ -1041,7 +1041,7 @@
     </message>
     <message>
         <source>Velocity limit</source>
-        <translation>Geschwindigkeitsgrenze</translation>
+        <translation>Grenze der Geschwindigkeit</translation>
     </message>
     <message>
         <source>The controller goes no faster than this, either way.</source>
