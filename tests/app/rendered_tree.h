@@ -196,6 +196,17 @@ inline QStringList shortenedIn(const QTableView& table, int column) {
   return found;
 }
 
+/// Numbers in the column that don't stand in one line.
+inline QStringList wrappedIn(const QTableView& table, int column) {
+  QStringList found;
+  const int margin_px = table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1;  // of a cell
+  for (int row = 0; row < table.model()->rowCount() && !table.isColumnHidden(column); ++row) {
+    const QString text = table.model()->index(row, column).data().toString();
+    if (table.fontMetrics().horizontalAdvance(text) > table.columnWidth(column) - 2 * margin_px) found << text;
+  }
+  return found;
+}
+
 /// On the page that is shown, at the sizes that have the least room.
 inline QStringList clippedWhereSmall(QWidget& window) {
   QStringList found;

@@ -416,6 +416,11 @@ void TestPages::parameters_leaveTuneItsStepOnASmallScreen() {
   constexpr int names = 1;
   const QStringList cells = shortenedIn(*named<QTableWidget>(desk.window, "parametersTable"), names);
   QVERIFY2(cells.isEmpty(), qPrintable(cells.join("; ")));
+  constexpr int board = 2, profiles = 5;
+  for (int column = board; column <= profiles; ++column) {
+    const QStringList wrapped = wrappedIn(*named<QTableWidget>(desk.window, "parametersTable"), column);
+    QVERIFY2(wrapped.isEmpty(), qPrintable(wrapped.join("; ")));
+  }
   desk.window.showParameters(false);
   QTRY_VERIFY(loops->isVisible());
   const QStringList alone = shortened(*named<QWidget>(desk.window, "tunePage"));
