@@ -24,7 +24,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
+constexpr double shorterPart = 0.2;  ///< of the usual window
+constexpr size_t fewestFarOff = 2;   ///< held-out windows that tell of something that the others don't show
 
 Message heldoutRemark(size_t far, size_t windows, const Criteria& criteria) {
   return message(
@@ -65,6 +66,7 @@ struct Attempt {
   /// once.
   size_t farOff = 0;
   std::optional<Message> runAway;  ///< the base model did, and nothing was found
+  bool hiddenByWander = false;     ///< nothing was found, and over these windows a torque that wanders hides much
 };
 
 /// One diagnosis, with its clocks running.
@@ -74,8 +76,15 @@ class Diagnoser {
             const DiagnoseOptions& options)
       : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  /// By errors in motion, unless these would lead astray.
-  Result<Attempt> attempt(HeldOut part) const { return attempt(part, {ErrorIn::motion, options_.window_s}, true); }
+  /// By errors in motion, unless these would lead astray. Where nothing is found, over shorter windows too if what
+  /// wanders may hide it: that moves a rotor by the second power of their length, and an encoder's fault or a wave by
+  /// less.
+  Result<Attempt> attempt(HeldOut part) const {
+    auto made = attempt(part, {ErrorIn::motion, options_.window_s}, true);
+    if (!made || !made->hiddenByWander) return made;
+    const auto shorter = attempt(part, {ErrorIn::motion, shorterPart * options_.window_s}, false);
+    return shorter && !shorter->diagnosis.findings.empty() ? shorter : made;
+  }
 
   Result<Attempt> attempt(HeldOut part, const Counting& counting, bool mayChange) const {
     const auto prepared =
@@ -107,6 +116,7 @@ class Diagnoser {
     }
     diagnosis.firstNames = std::move(firstNames);
     diagnosis.named_s = named_s ? *named_s : elapsed_s();
+    made.hiddenByWander = mayChange && diagnosis.findings.empty() && rest.hiddenByWander(options_.criteria);
     findPlaces(rest, diagnosis.model, *prepared, options_.seed);
     diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
     addPlaces(diagnosis, rest, *prepared);

@@ -3,6 +3,7 @@
 
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/noise_floor.h"
 #include "diagnose/fit/parameter_vector.h"
 #include "diagnose/fit/window_residual.h"
 #include "support/driven_recording.h"
@@ -20,6 +21,7 @@ class TestWindowResidual : public QObject {
   void linearColumns_pointWhereSimulatedOnesDo_data();
   void linearColumns_pointWhereSimulatedOnesDo();
   void whatRestsAtTheStart_keepsResting();
+  void modelThatSticks_hasTheReadingsFloor();
 };
 
 namespace {
@@ -96,6 +98,23 @@ void TestWindowResidual::whatRestsAtTheStart_keepsResting() {
         residual.residual().head(residual.positions()).norm() / std::sqrt(static_cast<double>(residual.positions()));
     QVERIFY2(rms < 1e-4, qPrintable(QString("%1 rad after fit %2").arg(rms).arg(k + 1)));
   }
+}
+
+/// A model with far too much friction rests where the rig moves, and a rotor at rest is read without any error: that
+/// is no floor for what moved.
+void TestWindowResidual::modelThatSticks_hasTheReadingsFloor() {
+  const Model rig = servoModel(DriveInput::torque);
+  const Recording recording = drivenRecording(rig, {.seconds = 4.0});
+  Track track = *makeTrack(recording, rig.axis, rig.input, rig.supply_V, rig.count);
+  track.motion = motionOf(track);
+  const std::vector<Track> tracks{track};
+  Model stuck = rig;
+  for (Parameter& one : stuck.base) {
+    if (one.name == motorNames(rig.axis).coulomb) one.value *= 100.0;
+  }
+  const std::vector<Window> windows = windowsOf(tracks, 0, 0, track.rows(), 0.25);
+  QVERIFY(windows.size() > 8);
+  QVERIFY(noiseFloor(stuck, tracks, windows, 1) > 0.5 * track.readingNoise());
 }
 
 QTEST_APPLESS_MAIN(TestWindowResidual)

@@ -156,7 +156,9 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
       count += 1.0;
       if (k + 1 < replay.track.rows()) simulator.run(predicted, k, k + 1);
     }
-    floors.push_back(squares / count);
+    // A model with too much friction rests where the rig moved: there a reading's noise is the least that it shows.
+    const double least = moves(window, tracks) ? std::pow(recorded.readingNoise(), 2) : 0.0;
+    floors.push_back(std::max(squares / count, least));
   }
   return floors;
 }

@@ -20,8 +20,7 @@ constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those wi
 constexpr size_t fewestWindowRows = 12;     ///< of a window
 constexpr size_t fewestInTorque = 8;        ///< instants of a window
 constexpr double shortestWindow_s = 0.04;
-constexpr double surelyMoves = 8.0;  ///< standard deviations of a reading, from the least to the largest
-constexpr double lookBack_s = 0.2;   ///< before a window, which a restart reads
+constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 constexpr double longestUnread_s = 0.1;
 
 struct Stretch {
@@ -151,18 +150,6 @@ void countErrorsIn(ErrorIn errorIn, Split& split, const std::vector<Track>& trac
       return !isLongEnough(tracks[window.track], window, fewestInTorque);
     });
   }
-}
-
-/// Whether what is read changes over the window by more than its noise makes.
-bool moves(const Window& window, const std::vector<Track>& tracks) {
-  const Track& track = tracks[window.track];
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (size_t row = window.first; row <= window.last; ++row) {
-    if (!track.seen[row]) continue;
-    least = std::min(least, track.reading(row));
-    most = std::max(most, track.reading(row));
-  }
-  return most - least > surelyMoves * track.readingNoise();
 }
 
 void thinTraining(Split& split) {

@@ -24,4 +24,7 @@ struct Window {
 /// rows are left out.
 std::vector<Window> windowsOf(const std::vector<Track>& tracks, size_t track, size_t from, size_t to, double window_s);
 
+/// Whether what is read changes over the window by more than its noise makes.
+bool moves(const Window& window, const std::vector<Track>& tracks);
+
 }  // namespace breakaway
