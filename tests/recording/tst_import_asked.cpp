@@ -36,6 +36,7 @@ class TestImportAsked : public QObject {
   void loggersName_isNobodys();
   void motionControllersAxis_isAskedAbout();
   void farAngleWithoutAUnit_isDoubted();
+  void doubtBesideTheUnits_isSaidToo();
 
  private:
   using Wave = std::function<double(int)>;
@@ -274,6 +275,16 @@ void TestImportAsked::farAngleWithoutAUnit_isDoubted() {
   };
   QVERIFY(doubtOf(20.0).find("in degrees or turns") != std::string::npos);
   QVERIFY(doubtOf(1.0).find("in degrees or turns") == std::string::npos);
+}
+
+void TestImportAsked::doubtBesideTheUnits_isSaidToo() {
+  const auto log = logOf({{"time_s", secondsAt},
+                          {"sigma", [](int k) { return toDegrees * placeAt(k); }},
+                          {"kappa", [](int k) { return toRpm * speedAt(k); }}});
+  VERIFY_OK(log);
+  const std::string words = log->columns[1].inWords();
+  QVERIFY2(words.find("agrees with kappa") != std::string::npos, words.c_str());
+  QVERIFY2(words.find("nothing but its values tells it") != std::string::npos, words.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestImportAsked)
