@@ -150,8 +150,14 @@ bool hasEvenSteps(const std::vector<double>& values) {
   return false;
 }
 
+/// Goes up by one from row to row, as a number of rows does, too.
+bool goesByOnes(const std::vector<double>& values) {
+  return std::adjacent_find(values.begin(), values.end(), [](double a, double b) { return b - a != 1.0; }) ==
+         values.end();
+}
+
 /// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's, and a
-/// "duration" is that of the run.
+/// "duration" is that of the run. By ones it may be in ms, or count the rows: that is asked.
 void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
   if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -160,6 +166,11 @@ void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
     const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick") ||
                       isSameWord(name, "duration");
     if (!tick || choices[c].byMap || !hasEvenSteps(values)) continue;
+    if (!isSameWord(name, "duration") && goesByOnes(values)) {
+      choices[c].name = ColumnName{};
+      choices[c].name.aside = message("may count rows as well as milliseconds");
+      continue;
+    }
     choices[c].name = ColumnName{};
     choices[c].name.to = "time_s";
     choices[c].name.rank = 3;
@@ -441,6 +452,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeAnglesByValues(table, choices);
   takeMotionByValues(table, choices);
   takeJointsAlone(table, choices);
+  takeOnlyAngle(table, choices);
   setElectricalAside(table, choices);
   preferDriven(table, choices);
   const std::string axis = axisOf(choices);

@@ -136,6 +136,10 @@ void findQuantity(NameReading& name) {
   }
   if (found.word == nullptr) return;
   name.kind = name.found.word->kind;
+  // Of all that is supplied together, a motor among them: "System_Current_A", "Main Voltage".
+  static constexpr auto wholes = std::to_array<std::string_view>({"system", "sys", "main", "mains"});
+  name.supplyWord =
+      name.supplyWord || (name.inWinding() && name.found.at > 0 && isIn(wholes, parts.words[name.found.at - 1]));
   const bool degrees = parts.unit != nullptr && parts.unit->kind == UnitKind::temperature;
   if (degrees && name.kind == UnitKind::time && name.found.word->weak)
     name.kind = UnitKind::temperature;                                                             // "t_motor_C"

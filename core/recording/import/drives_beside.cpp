@@ -48,8 +48,11 @@ class DrivesBeside {
     }
     if (std::any_of(motion_.begin(), motion_.end(), [&](size_t m) { return areDifferentJoints(whose_[m], whose_[c]); }))
       return setAside(choices_[c], message("is another joint's than {}", nameOf(motion_.front())));
-    if (choices_[c].name.guess.empty())
-      choices_[c].name.guess = message("is called otherwise than {}", nameOf(motion_.front()));
+    const size_t m = motion_.front();
+    const bool behindGear =
+        torque && whose_[c].side == Whose::Side::driven && whose_[m].side == Whose::Side::motor && isDriven();
+    if (behindGear) return setAside(choices_[c], message("may be behind a gear, and {} is the motor's", nameOf(m)));
+    if (choices_[c].name.guess.empty()) choices_[c].name.guess = message("is called otherwise than {}", nameOf(m));
   }
 
   /// "car_position_m", "rack_pos_mm" beside the motor's own rotation is what it moves, with the force there.
@@ -123,6 +126,20 @@ class DrivesBeside {
     });
   }
 
+  /// A current, a voltage or a duty is there.
+  bool isDriven() const {
+    return std::any_of(choices_.begin(), choices_.end(),
+                       [](const Choice& one) { return isIn(windingDrives, one.name.to); });
+  }
+
+  bool isTorque(size_t c) const {
+    const Words words = wordsOf(nameOf(c), true);
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      const Word* quantity = quantityNamed(word);
+      return quantity != nullptr && !quantity->weak && quantity->kind == UnitKind::torque;
+    });
+  }
+
   /// Both called the motor's, or both what it drives.
   bool isOnSideOf(size_t c, size_t m) const {
     return whose_[c].side != Whose::Side::untold && whose_[c].side == whose_[m].side;
@@ -190,6 +207,11 @@ class DrivesBeside {
     if (motors && whose_[c].side == Whose::Side::untold && named)
       return setAside(choices_[c], message("is called by something else than the motor, as {} is", nameOf(m)));
     if (whose_[c].side != Whose::Side::untold || whose_[m].side == Whose::Side::untold) return;
+    const bool outputs = std::any_of(whose_.begin(), whose_.end(), [&](const Whose& one) {
+      return one.side == Whose::Side::driven && isTorque(static_cast<size_t>(&one - whose_.data()));
+    });
+    if (motors && outputs && isDriven())  // "Command_Torque" beside "Output_Torque"
+      return setAside(choices_[c], message("may be behind a gear, and {} is the motor's", nameOf(m)));
     for (size_t k = 0; k < choices_.size(); ++k) {
       const bool across = moves_[k] && whose_[k].side != Whose::Side::untold && whose_[k].side != whose_[m].side &&
                           whose_[k].axis == whose_[m].axis;
@@ -197,9 +219,7 @@ class DrivesBeside {
       const double ratio = across ? rangeOf(valuesAt(k)) / rangeOf(valuesAt(m)) : 1.0;
       if (!across || isTurned(k) != isTurned(m) || (ratio < alike && ratio > 1.0 / alike)) continue;
       const Message why = message("nothing tells whether it is {}'s or {}'s", nameOf(m), nameOf(k));
-      const bool driven = std::any_of(choices_.begin(), choices_.end(),
-                                      [](const Choice& one) { return isIn(windingDrives, one.name.to); });
-      if (driven) return setAside(choices_[c], why);
+      if (isDriven()) return setAside(choices_[c], why);
       choices_[c].name.guess = why;
       return;
     }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/numbers.h"
+#include "recording/import/name_parts.h"
 #include "recording/import/settle_motion.h"
 #include "recording/import/tool_columns.h"
 
@@ -78,13 +79,16 @@ ToolColumns vescNames() {
           {"avgid", setAside(message("is the d axis, which makes no torque"))},
           {"avginputcurrent", ofSupply},
           {"currentinput", ofSupply},
+          {"currentin", ofSupply},
           {"inputcurrent", ofSupply},
           {"dutycyclenow", duty},
           {"dutynow", duty},
           {"dutycycle", duty},
+          {"duty", duty},
           {"inpvoltage", supply},
           {"vin", supply},
           {"voltageinput", supply},
+          {"voltagein", supply},
           {"inputvoltage", supply},
           {"tempmotor", in("temperature_degC", 1.0, "°C")}};
 }
@@ -96,8 +100,11 @@ bool isVescValues(const RawTable& table) {
   const bool library = (has("avgmotorcurrent") || has("dutycyclenow") || has("dutynow") || has("avginputcurrent")) &&
                        (has("rpm") || has("tachometer"));
   const bool shortened = has("tachabs") && has("tach") && has("rpm");
+  // Only they tell of their transistors ("Temp Mos") beside both currents.
+  const bool shown = has("tempmos") && has("rpm") && (has("motorcurrent") || has("currentmotor")) &&
+                     (has("currentin") || has("inputcurrent"));
   const bool ros = has("currentmotor") && has("currentinput") && has("dutycycle") && has("speed");
-  return library || ros || shortened;
+  return library || ros || shortened || shown;
 }
 
 ToolColumns vescValues(RawTable& table) {
@@ -152,6 +159,12 @@ ToolColumns inTurns(const RawTable& table, const std::function<bool(const std::s
   return columns;
 }
 
+/// "ODrive0Position", "odrv0.axis0.pos".
+bool isOdrives(const std::string& name) {
+  const std::string lower = lowered(name);
+  return lower.find("odrive") != std::string::npos || lower.starts_with("odrv");
+}
+
 /// By its current's name alone only where no motion beside it tells a unit of its own, "turns" beside an "angle", and
 /// only one angle is there.
 bool isOdrive(const RawTable& table) {
@@ -160,9 +173,11 @@ bool isOdrive(const RawTable& table) {
   for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
     const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
-    motion = motion || has("pos_estimate") || has("vel_estimate") || has("pos_vel_mapper");
-    current = current || has("Iq_measured") || has("iq_measured");
     const ColumnName known = understandName(name, column.unit);
+    const bool moves = known.to == "angle_rad" || known.to == "velocity_rad_per_s";
+    motion = motion || (moves && known.unit.empty() && isOdrives(name)) || has("pos_estimate") || has("vel_estimate") ||
+             has("pos_vel_mapper");
+    current = current || has("Iq_measured") || has("iq_measured");
     angles += known.to == "angle_rad" ? 1 : 0;
     told = told || ((known.to == "angle_rad" || known.to == "velocity_rad_per_s") && !known.unit.empty());
   }

@@ -90,7 +90,7 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   const auto plain = [](const std::string& name) {
     std::string letters;
-    const std::string own = name.substr(0, name.find_first_of("[("));
+    const std::string own = name.substr(0, std::min(name.find_first_of("[("), name.find(" in ")));
     const size_t path = own.find_last_of("./");
     Words words = wordsOf(path == std::string::npos ? own : own.substr(path + 1), false);
     if (words.size() == 3 && (words[2] == "a" || words[2] == "v")) words.pop_back();  // the unit of "i_a_A"
@@ -107,9 +107,10 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
     if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
     if (names.contains(name.substr(0, 1) + "b")) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
-    const bool bracket = table.columns[c].channel.name.find_first_of("[(") != std::string::npos;
-    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage",
-                                     bracket ? parts.unitText : table.columns[c].unit);
+    const std::string& whole = table.columns[c].channel.name;
+    const bool told = whole.find_first_of("[(") != std::string::npos || whole.find(" in ") != std::string::npos;
+    choices[c].name =
+        understandName(name == "ia" ? "motor_current" : "motor_voltage", told ? parts.unitText : table.columns[c].unit);
   }
 }
 

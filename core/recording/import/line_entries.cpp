@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "recording/import/column_name.h"
+#include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
 #include "recording/import/sentence_parts.h"
 #include "recording/import/text_layout.h"
 #include "recording/import/units.h"
@@ -104,6 +106,27 @@ bool namesMotion(const std::string& name) {
   return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
+/// What all of them begin with is called by none of them: the logger's "Info quasarMotor" is nothing's name.
+void dropCommonBeginning(std::vector<std::string>& columns) {
+  constexpr size_t fewest = 3;
+  const auto isNamed = [](const std::string& column) { return !column.starts_with("time"); };
+  if (static_cast<size_t>(std::count_if(columns.begin(), columns.end(), isNamed)) < fewest) return;
+  const auto first = std::find_if(columns.begin(), columns.end(), isNamed);
+  size_t common = 0;
+  for (size_t end = first->find(' '); end != std::string::npos; end = first->find(' ', end + 1)) {
+    const std::string begin = first->substr(0, end + 1);
+    const bool whose = isIn(jointWords, lowered(begin.substr(common, end - common)));  // "motor" is no logger's
+    const bool all = std::all_of(columns.begin(), columns.end(), [&](const std::string& column) {
+      return !isNamed(column) || (column.starts_with(begin) && column.size() > begin.size());
+    });
+    if (whose || !all) break;
+    common = end + 1;
+  }
+  for (std::string& column : columns) {
+    if (isNamed(column)) column.erase(0, common);
+  }
+}
+
 /// Gives the kinds their columns, in the order in which they come; none where they name no motion, or one names
 /// nothing.
 std::vector<std::string> columnsOf(std::string_view text, char lineEnd, Kinds& kinds) {
@@ -126,6 +149,7 @@ std::vector<std::string> columnsOf(std::string_view text, char lineEnd, Kinds& k
   for (const auto& [read, kind] : kinds) (kind.columns.empty() ? nameless : named) += kind.count;
   std::erase_if(kinds, [](const auto& one) { return one.second.columns.empty(); });
   if (named <= nameless || kinds.size() < 2) return {};
+  dropCommonBeginning(columns);
   return std::any_of(columns.begin(), columns.end(), namesMotion) ? columns : std::vector<std::string>{};
 }
 

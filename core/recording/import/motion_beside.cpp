@@ -211,6 +211,33 @@ void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+void takeOnlyAngle(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto directions = std::to_array<std::string_view>(
+      {"lat",    "latitude", "lon",     "lng",   "long",  "longitude", "heading",  "azimuth", "az",  "elevation", "el",
+       "course", "bearing",  "compass", "phase", "slope", "hue",       "steering", "steer",   "sun", "shift"});
+  for (const Choice& one : choices) {
+    const std::string& to = one.name.to;
+    if (to.starts_with("angle") || to.starts_with("position") || to.starts_with("velocity")) return;
+  }
+  size_t only = choices.size(), count = 0;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const RawColumn& column = table.columns[c];
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const bool angle =
+        parts.unit != nullptr && parts.unit->kind == UnitKind::angle && parts.unit->needs == UnitNeeds::nothing;
+    if (!angle || !(rangeOf(column.channel.values) > 0.0)) continue;
+    ++count;
+    const bool open = choices[c].name.saysNothing && !choices[c].byMap && !choices[c].byTool && !column.fault;
+    if (open && firstIn(parts.words, directions) == nullptr && firstIn(parts.words, referenceWords) == nullptr)
+      only = c;
+  }
+  if (count != 1 || only == choices.size()) return;
+  const NameParts parts = partsOfName(table.columns[only].channel.name, table.columns[only].unit);
+  choices[only].name = understandName("angle", parts.unitText);
+  choices[only].name.group = parts.group;
+  choices[only].name.byUnit = true;
+}
+
 bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, std::vector<Choice>& choices) {
   constexpr double little = 0.6;
   const ColumnName& turns = choices[speed].name;

@@ -27,4 +27,8 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices);
 /// Where no name tells a motion, what is called by a joint alone is its angle, as a guess: "joint_1", "elbow_act".
 void takeJointsAlone(const RawTable& table, std::vector<Choice>& choices);
 
+/// Where nothing else moves, the only column in degrees or radians whose words aren't known is how far it turns, a
+/// guess ("R_KFE_deg"), unless it is called a direction or a place on earth.
+void takeOnlyAngle(const RawTable& table, std::vector<Choice>& choices);
+
 }  // namespace breakaway

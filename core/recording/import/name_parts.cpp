@@ -44,6 +44,11 @@ void setUnit(std::string_view text, NameParts& parts) {
   parts.unit = multiplied.unit;
   parts.factor = multiplied.unit == nullptr ? 1.0 : multiplied.factor;
   parts.unknownUnit = parts.unit == nullptr;
+  const std::string_view before = unitBeforeQuantity(text);
+  if (!parts.unknownUnit || before.empty()) return;
+  parts.unit = unitNamed(before);
+  parts.unitText = std::string(before);
+  parts.unknownUnit = false;
 }
 
 /// "(None)", "-": the file's way to say that it has none.
@@ -265,8 +270,8 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
   if (plain.size() == 1) plain = wordsOf(text, true);  // "ticksL"
   size_t end = plain.size();
   const auto changesNothing = [](const std::string& word) {
-    const bool told = (word.size() > 2 && isIn(decorations, word)) || isIn(referenceWords, word);  // "rpm_sp"
-    return told || isSide(word) || (word.size() > 1 && isNumber(word.substr(1)));                  // "m1"
+    const bool told = (word.size() > 2 && isIn(decorations, word)) || isIn(referenceWords, word);    // "rpm_sp"
+    return told || isSide(word) || isNumber(word) || (word.size() > 1 && isNumber(word.substr(1)));  // "m1"
   };
   while (end > 0 && changesNothing(plain[end - 1])) --end;
   if (end == 0 || end == plain.size()) return false;
@@ -366,6 +371,18 @@ std::string labelsOf(std::string_view& name) {
 
 }  // namespace
 
+std::string_view unitBeforeQuantity(std::string_view text) {
+  const size_t open = text.rfind(" (");
+  if (open == std::string_view::npos || open == 0 || text.back() != ')') return {};
+  const std::string_view inner = text.substr(open + 2, text.size() - open - 3), before = text.substr(0, open);
+  const Words words = wordsOf(inner, true);
+  const bool counted = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);
+    return quantity != nullptr && !quantity->weak;
+  });
+  return counted && !isUnit(inner) && isUnit(before) ? before : std::string_view{};
+}
+
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
   const std::string labels = labelsOf(name);
@@ -414,6 +431,9 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
 }
 
 bool isMultiplied(std::string_view name) {
+  if (const size_t open = name.rfind('[');
+      open != std::string_view::npos && name.ends_with("]") && isNumber(name.substr(open + 1, name.size() - open - 2)))
+    name = name.substr(0, open);  // "omega_x10[0]"
   // "temp_c10": tenths of a degree.
   const Words words = wordsOf(name, false);
   if (words.size() > 1) {

@@ -28,6 +28,9 @@ struct NameParts {
 /// have a factor before it ("0.1 rpm").
 NameParts partsOfName(std::string_view name, std::string_view unit);
 
+/// "°/s" of "°/s (Angular velocity)", where what it counts stands behind a unit; else nothing.
+std::string_view unitBeforeQuantity(std::string_view text);
+
 /// "torque_x1000", "angle*10": a name that holds a factor.
 bool isMultiplied(std::string_view name);
 

@@ -198,6 +198,26 @@ void takeUnmarkedReferences(const RawTable& table, std::vector<Choice>& choices)
   }
 }
 
+/// "com_pos" beside "enc_pos" is what was commanded, and so is all that is called "com" there.
+void takeCommanded(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto measured = std::to_array<std::string_view>(
+      {"enc", "encoder", "act", "actual", "meas", "measured", "fb", "feedback", "real", "mot", "motor"});
+  std::set<Words> names;
+  for (const RawColumn& column : table.columns) names.insert(wordsOf(column.channel.name, true));
+  const bool commands = std::any_of(names.begin(), names.end(), [&](Words words) {
+    const auto com = std::find(words.begin(), words.end(), "com");
+    return com != words.end() && words.size() > 1 && std::any_of(measured.begin(), measured.end(), [&](auto word) {
+             *com = word;
+             return names.contains(words);
+           });
+  });
+  for (size_t c = 0; c < choices.size() && commands; ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    if (choices[c].byMap || choices[c].byTool || !isIn(wordsOf(name, true), "com")) continue;
+    choices[c].name = understandName("cmd " + nameWithout(name, "com"), table.columns[c].unit);
+  }
+}
+
 /// "torque_cur" beside "torque_ref" is the torque now, and no current.
 void takePresent(const RawTable& table, std::vector<Choice>& choices) {
   std::set<Words> wanted;  // without the word of reference
@@ -262,7 +282,8 @@ bool areGeared(const std::vector<double>& input, const std::vector<double>& outp
 }
 
 /// "input_speed" and "output_speed" (or "speed_in", "speed_out") are a gear's two sides, of which the motor's is the
-/// first, where torques stand beside them or the one is a multiple of the other. Else what goes in is a reference.
+/// first, where torques stand beside them, or are all that is told of both, or the one is a multiple of the other. Else
+/// what goes in is a reference.
 void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
   const auto sideOf = [&table](size_t c, std::string_view side) {
     Words words = wordsOf(table.columns[c].channel.name, true);
@@ -288,7 +309,12 @@ void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
       torque = torque || choices[k].name.to == "torque_Nm";
     }
   }
-  const bool sides = pairs.size() > 1 && torque;
+  const bool outputs = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+    const Words words = wordsOf(table.columns[static_cast<size_t>(&one - choices.data())].channel.name, true);
+    return isMotion(one.name.to) && isIn(words, "output");  // a motion on the output's side keeps its torque
+  });
+  const bool torques = pairs.size() == 1 && torque && !pairs.front().brief && !outputs;
+  const bool sides = (pairs.size() > 1 && torque) || torques;
   for (const auto& [input, output, brief] : pairs) {
     const RawColumn& in = table.columns[input];
     const std::string& to = choices[output].name.to;
@@ -386,6 +412,7 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeBeforePaths(table, choices);
   takeLettersWithUnits(table, choices);
   takeSides(table, choices);
+  takeCommanded(table, choices);
   takePresent(table, choices);
   takeUnmarkedReferences(table, choices);
   takeLettersBeside(table, choices);

@@ -182,6 +182,9 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
                  message("nothing tells whether it is in degrees, radians or turns; say it with --map {}",
                          "{\"columns\": {\"" + fate.from + "\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}")};
   fate.why = message("by its name, which tells no unit");
+  constexpr double fewTurns_rad = 2.0 * turn_rad;
+  if (rangeOf(angle) > fewTurns_rad && fate.doubt.empty())
+    fate.doubt = message("it goes further than two turns of radians, and may be in degrees or turns as well");
   return {};
 }
 

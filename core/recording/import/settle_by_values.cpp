@@ -23,7 +23,7 @@ bool Settling::isFree(size_t c) const {
 void Settling::takeSpeedByValues() {
   const auto angle = columnOf("angle_rad");
   if (!angle || columnOf("velocity_rad_per_s") || columnOf("position_m") || columnOf("velocity_m_per_s")) return;
-  constexpr double agrees = 0.98, within = 1.25;  // rows may be far apart for how fast it changes
+  constexpr double agrees = 0.98, within = 1.1;  // rows may be far apart for how fast it changes
   size_t best = fates_.size();
   double bestCorrelation = agrees, bestScale = 1.0;
   std::string bestUnit;
@@ -31,7 +31,7 @@ void Settling::takeSpeedByValues() {
     const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
     const bool told = parts.unit != nullptr && parts.unit->kind == UnitKind::angularVelocity;
     if (!(isUnknown(c) || (isFree(c) && choices_[c].name.nameless)) || (parts.unit != nullptr && !told) ||
-        parts.unknownUnit)
+        parts.unknownUnit || isMultiplied(fates_[c].from))
       continue;
     const auto motion = compareMotion(time_.time_s, values(*angle), values(c), time_.pauses);
     if (!motion || !(motion->correlation > bestCorrelation) || variesAlike(values(*angle), values(c)) < agrees)

@@ -229,7 +229,7 @@ Message ColumnFate::inWords() const {
     if (scale != 1.0) text = text + (" (× " + shortText(scale) + ")");
     if (offset != 0.0) text = text + ((offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(offset)));
     if (guessed && !unit.empty()) text = text + message(", a guess: {}", why);
-    if (unit.empty() && !doubt.empty()) text = text + std::string("; ") + doubt;
+    if (!doubt.empty() && (unit.empty() || doubt != why)) text = text + std::string("; ") + doubt;
   }
   return text;
 }

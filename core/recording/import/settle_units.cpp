@@ -45,8 +45,10 @@ bool tellsRos(const RawTable& table) {
   });
 }
 
-/// "MC_Axis000.Act.Pos": a PLC's axis is in the units that its user chose.
+/// "MC_Axis000.Act.Pos", "FPOS(0)": an axis of a PLC or a motion controller is in the units that its user chose.
 bool isPlcAxis(const Words& words) {
+  static constexpr auto controllers = std::to_array<std::string_view>({"fpos", "rpos"});
+  if (firstIn(words, controllers) != nullptr) return true;
   const bool axis = std::any_of(words.begin(), words.end(), [](const auto& word) { return word.starts_with("axis"); });
   return axis && (isIn(words, "act") || isIn(words, "nctoplc") || isIn(words, "mc"));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recording/import/column_name.h"
+#include "recording/import/name_parts.h"
 #include "recording/import/units.h"
 
 namespace breakaway {
@@ -136,8 +137,9 @@ std::string_view withoutUnitWord(std::string_view cell) {
 
 bool isUnitCell(std::string_view cell) {
   cell = withoutUnitWord(cell);
-  return isUnit(cell) || (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') &&
-                          (cell.back() == ')' || cell.back() == ']'));
+  return isUnit(cell) || !unitBeforeQuantity(cell).empty() ||
+         (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') &&
+          (cell.back() == ')' || cell.back() == ']'));
 }
 
 size_t countOf(const Cells& cells, bool (*is)(std::string_view)) {

@@ -129,8 +129,9 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
       const bool lastOfCapitals = splitCamel && word.size() > 2 && isUpper(k) && isUpper(k - 1) && isLower(k + 1) &&
                                   isLower(k + 2);  // "RPMmotor" stays, "MotorPWMValue" parts
       const bool number = splitCamel && k > 0 && !word.empty() && isDigit(k) != isDigit(k - 1) && word.size() >= 2 &&
-                          (std::isalnum((unsigned char)text[k - 1]) != 0 || isGreek(k - 1));  // "θ1"
-      if (hump || lastOfCapitals || number) close();
+                          (std::isalnum((unsigned char)text[k - 1]) != 0 || isGreek(k - 1));            // "θ1"
+      const bool behindNumber = splitCamel && k > 0 && isDigit(k - 1) && isUpper(k) && isLower(k + 1);  // "Drive0Pos"
+      if (hump || lastOfCapitals || number || behindNumber) close();
       word += static_cast<char>(std::tolower(c));
     } else {
       close();
