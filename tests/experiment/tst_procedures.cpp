@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +41,7 @@ class TestProcedures : public QObject {
   void unreachableSpeed_isReported();
   void speedLostWhileMeasuring_isReportedWithItsPlace();
   void breakawaySweep_logsTheAngleReallyReached();
+  void placesThatSeemFree_dontEndASweepThatCanGoOn();
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
   void aRotorThatSticksWhereFrictionIsHigh_isNotHeld();
@@ -367,6 +369,20 @@ void TestProcedures::breakawaySweep_logsTheAngleReallyReached() {
     QVERIFY(std::abs(std::remainder(event.angle_rad - wanted, 2.0 * std::numbers::pi)) < 0.15);
     QVERIFY2(event.torque_Nm > 0.012 && event.torque_Nm < 0.032, qPrintable(QString::number(event.torque_Nm)));
   }
+}
+
+/// Of a slow run in strong cogging, say: a third of the turn seems to take a twelfth of what it takes.
+void TestProcedures::placesThatSeemFree_dontEndASweepThatCanGoOn() {
+  auto drive = servo();
+  BreakawaySweepOptions options = quickSweep();
+  for (auto& way : options.moving_A) {
+    way.assign(36, 0.24);
+    std::fill(way.begin() + 12, way.begin() + 24, 0.02);
+  }
+  const auto sweep = std::make_shared<BreakawaySweep>(options);
+  run(*drive, sweep, 300.0);
+  QVERIFY2(sweep->state() == Procedure::State::finished, sweep->status().failure.c_str());
+  QVERIFY(sweep->missed() <= 1);
 }
 
 void TestProcedures::stoppedSweep_keepsWhatItMeasured() {
