@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/statistics.h"
+
 namespace breakaway {
 
 namespace {
@@ -36,13 +38,18 @@ Command BreakawayProcedure::zero(const Sample& sample) {
   return command;
 }
 
+double BreakawayProcedure::usual_A() const {
+  const auto& ways = shared_.moving_A;
+  return ways[0].empty() || ways[1].empty() ? 0.0 : 0.5 * (mean(ways[0]) + mean(ways[1]));
+}
+
 RampPlan BreakawayProcedure::planRamp(double expected_A) const {
   const double hold = sign() * hold_A();
   const double limit = shared_.current_limit_A > 0.0 ? shared_.current_limit_A : 1e3;
   if (expected_A <= 0.0) return {hold, 0.0, limit, true};
   const double from = rampStarts[attempt_] * shared_.rampStart;
   return {hold + from * expected_A, (1.0 - shared_.rampStart) * expected_A / shared_.ramp_s,
-          std::min(limit, hold + shared_.mostOverExpected * expected_A), false};
+          std::min(limit, hold + shared_.mostOverExpected * std::max(expected_A, usual_A())), false};
 }
 
 bool BreakawayProcedure::cameTooSoon(double inRamp_s) {

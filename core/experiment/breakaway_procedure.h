@@ -34,7 +34,7 @@ struct BreakawayOptions {
   double zeroing_s = 0.6;
   double motionVelocity_rad_per_s = 0.15;  ///< that counts as motion, with motionCounts
   size_t motionCounts = 4;
-  double mostOverExpected = 4.0;  ///< a ramp gives up at this many times the expected current
+  double mostOverExpected = 4.0;  ///< a ramp gives up at this many times the expected current, or the usual one
   double mostDrift_A = 0.1;       ///< of the current sensor's zero, from one zeroing to the next
 };
 
@@ -70,7 +70,10 @@ class BreakawayProcedure : public TimedProcedure {
   double movingOverHold_A() const { return moving_A(way()) - sign() * hold_A(); }
 
   Command zero(const Sample& sample);
-  /// `expected_A` beyond holding; 0: not known, the ramp is to find it.
+  /// What friction takes on average over all places; 0: not known.
+  double usual_A() const;
+  /// `expected_A` beyond holding; 0: not known, the ramp is to find it. That may be the little which cogging or an arm
+  /// leaves at a place, and wrong by as much as they are: a ramp gives up by what is usual, where that is more.
   RampPlan planRamp(double expected_A) const;
   /// Whether a breakaway came so soon after the ramp's beginning that it is to be made once more from lower.
   bool cameTooSoon(double inRamp_s);

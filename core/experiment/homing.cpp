@@ -9,6 +9,10 @@
 
 namespace breakaway {
 
+namespace {
+constexpr double sameWayPart = 0.05;  // of the way from one index to the next, that two of them may differ by
+}
+
 double Homing::tolerance_rad() const {
   return std::max(options_.indexTolerance_rad, breakaway::indexTolerance_rad(options_.countsPerRev));
 }
@@ -44,6 +48,7 @@ void Homing::follow(const Sample& sample) {
   const double beforeAngle_rad = std::exchange(lastAngle_rad_, sample.angle_rad);
   const double since_rad = sample.angle_rad - stageAngle_rad_;
   leastTick_s_ = leastTick_s_ > 0.0 ? std::min(leastTick_s_, tick_s()) : tick_s();
+  if (before == Machine::verify && sample.index) sights_rad_.push_back(since_rad);
   if (stage_ == before) return;
   stageAngle_rad_ = sample.angle_rad;
   const bool passed = before == Machine::approach && (stage_ == Machine::backOff || stage_ == Machine::done);
@@ -62,19 +67,28 @@ Message Homing::declared() const {
   return message(", and whether a turn has {:.0f} counts", options_.countsPerRev);
 }
 
-Message Homing::seenTwice(double since_rad) const {
+/// Lines for edges, one channel for two, or a disc that isn't the one declared: the index comes once in a true turn,
+/// and as far from the second sight to the third as from the first to the second. One that is seen in between does not.
+Message Homing::seenElsewhere(double since_rad) const {
   if (2 * indexRows_ > rows_) return invertedIndexText;
-  // Lines for edges, one channel for two, or a disc that isn't the one declared: the index comes once in a true turn.
-  const double part = since_rad / turn_rad;
-  for (const double usual : {0.25, 0.5, 1.0}) {
-    if (options_.countsPerRev > 0.0 && std::abs(part / usual - 1.0) < (usual < 1.0 ? 0.01 : 0.1))
-      return message(
-          "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
-          "was told, and, if they are right, the index wire's shield",
-          degreesText(since_rad), part * options_.countsPerRev, options_.countsPerRev);
+  const double first_rad = sights_rad_.empty() ? since_rad : sights_rad_.front();
+  const bool again = sights_rad_.size() > 1;
+  if (again && options_.countsPerRev > 0.0 &&
+      std::abs(sights_rad_[1] - 2.0 * first_rad) < std::min(tolerance_rad(), sameWayPart * first_rad)) {
+    const double apart_rad = 0.5 * sights_rad_[1];
+    return message(
+        "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
+        "was told, and, if they are right, the index wire's shield",
+        degreesText(apart_rad), apart_rad / turn_rad * options_.countsPerRev, options_.countsPerRev);
   }
+  if (!again && first_rad > turn_rad) return notAgain();
   return message("the index was seen twice within a turn, {} apart; check the encoder's index wire and shield",
-                 degreesText(since_rad));
+                 degreesText(std::min(first_rad, again ? sights_rad_[1] - first_rad : first_rad)));
+}
+
+Message Homing::notAgain() const {
+  return message("the index was seen once, but not again after a whole turn; check the encoder's index wire{}",
+                 declared());
 }
 
 Message Homing::failureOf(LegPhase phase, double since_rad) const {
@@ -84,13 +98,12 @@ Message Homing::failureOf(LegPhase phase, double since_rad) const {
     case Machine::timedOut:
       return message("not done after {} s", static_cast<int>(options_.timeout_s));
     case Machine::noIndex:
-      return message("no index within {} turns; check the encoder's index wire",
-                     std::to_string(options_.mostTurns).substr(0, 3));
+      return message("no index within {} turns; check the encoder's index wire{}",
+                     std::to_string(options_.mostTurns).substr(0, 3), declared());
     case Machine::notAgain:
-      return message("the index was seen once, but not again after a whole turn; check the encoder's index wire{}",
-                     declared());
+      return notAgain();
     case Machine::twice:
-      return seenTwice(since_rad);
+      return seenElsewhere(since_rad);
     case Machine::lost:
       return message("the index was seen once, but not again; check the encoder's index wire");
     default: {

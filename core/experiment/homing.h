@@ -14,7 +14,7 @@ struct HomingOptions {
   double backOff_rad = 0.25;
   double indexTolerance_rad = 0.02;  ///< between two sights of one edge
   size_t approaches = 3;             ///< passes over the edge that are averaged
-  double mostTurns = 1.5;            ///< of the search
+  double mostTurns = 1.5;            ///< of the search, and from one sight of the index to the next
   double timeout_s = 60.0;
   double stall_s = 3.0;          ///< without any motion while it should move
   double countsPerRev = 0.0;     ///< of the encoder, for the result's standard error; 0: unknown
@@ -22,8 +22,9 @@ struct HomingOptions {
 };
 
 /// Searches the index towards growing angle, turns on to see it once more after exactly a turn, backs off, and passes
-/// its edge slowly from the same side a few times; one leg, so that a board may run it. Fails in words when there is no
-/// index within mostTurns, when it comes at two places, when the rotor doesn't move, or at the time-out.
+/// its edge slowly from the same side a few times; one leg, so that a board may run it. Where it comes elsewhere, the
+/// next one tells whether a turn has other counts. Fails in words when there is no index within mostTurns, when it
+/// comes at two places, when the rotor doesn't move, or at the time-out.
 class Homing : public TimedProcedure {
  public:
   explicit Homing(const HomingOptions& options = {}) : options_(options) {}
@@ -46,13 +47,15 @@ class Homing : public TimedProcedure {
   Leg plan() const;
   void follow(const Sample& sample);
   Message failureOf(LegPhase phase, double since_rad) const;
-  Message seenTwice(double since_rad) const;
+  Message seenElsewhere(double since_rad) const;
+  Message notAgain() const;
   Message declared() const;
   double tolerance_rad() const;
 
   HomingOptions options_;
   LegPhase stage_ = notBegun;
   std::vector<double> edges_;
+  std::vector<double> sights_rad_;   ///< of the index while it is verified, from the first one on
   size_t rows_ = 0, indexRows_ = 0;  ///< samples, and those that show the index
   double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, leastTick_s_ = 0.0;
 };

@@ -10,6 +10,7 @@ namespace breakaway {
 namespace {
 
 constexpr double leastOverCoulomb = 0.9;  // breakaway falls to Coulomb friction at least
+constexpr double mostOfNone = 0.25;       // of what starts it, likewise
 constexpr double largeVariation = 0.1, leastCorrelation = 0.5, mostEmpty = 0.2;
 
 struct Words {
@@ -36,6 +37,21 @@ void belowCoulomb(const FrictionMap& map, std::vector<Message>& why) {
       message("what starts motion ({:.3g} {}) is less than what keeps it up ({:.3g} {}): play, a "
               "slipping coupling or a shaft that is pushed",
               words.scale * still, words.unit, words.scale * moving.value, words.unit));
+}
+
+/// What moves may take no friction at all, and surely takes next to none of what starts it: no oil does that, but a
+/// load that came and went while one of the speeds was run.
+void noneWhileMoving(const FrictionMap& map, std::vector<Message>& why) {
+  double still = 0.0;
+  for (const MapBin& bin : map.bins) still += bin.staticFriction_Nm() / static_cast<double>(map.bins.size());
+  const Estimate& moving = map.coulombAverage_Nm;
+  if (moving.low95() > 0.0 || moving.high95() > mostOfNone * still) return;
+  const Words& words = wordsOf(map.axis);
+  why.push_back(message(
+      "what keeps motion up ({:.3g}, {:.3g} to {:.3g} {}) may be nothing beside what starts it ({:.3g} {}): the "
+      "speeds contradict each other, as where a load comes and goes meanwhile",
+      words.scale * moving.value, words.scale * moving.low95(), words.scale * moving.high95(), words.unit,
+      words.scale * still, words.unit));
 }
 
 /// Of one turn's curve around its mean, part of that.
@@ -80,6 +96,7 @@ std::vector<Message> unsoundness(const FrictionMap& map, size_t reach) {
   std::vector<Message> why;
   if (map.bins.empty()) return why;
   belowCoulomb(map, why);
+  noneWhileMoving(map, why);
   for (size_t way = 0; way < 2; ++way) {
     unlike(map, way, why);
     empty(map, way, reach, why);

@@ -189,12 +189,19 @@ Shape stribeckOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg) {
   return shape;
 }
 
-/// Values at bins' centres of a curve whose means over the bins these are: f = f̄ − h²·f̄''/24 + …, f̄'' by the bins
-/// beside.
+/// Values at bins' centres of a curve whose means over the bins these are: f = f̄ − δ²f̄/24 + 3·δ⁴f̄/640 − …, δ² and δ⁴
+/// its differences over the bins beside. Of a wave of two bins or less that takes off a part only, and bins can't tell
+/// such waves apart: as much as that wave's δ⁴ leaves is open.
 void freeOfBinMeans(std::vector<Estimate>& curve) {
+  constexpr double leftOpen = 1.0 / 40.0;  // of δ⁴: 0.36 of a wave of two bins is 16·(1/40) of it
   const std::vector<Estimate> means = curve;
-  for (size_t k = 1; k + 1 < means.size(); ++k)
-    curve[k].value -= (means[k + 1].value - 2.0 * means[k].value + means[k - 1].value) / 24.0;
+  const auto second = [&means](size_t k) { return means[k + 1].value - 2.0 * means[k].value + means[k - 1].value; };
+  for (size_t k = 1; k + 1 < means.size(); ++k) {
+    const bool inner = k > 1 && k + 2 < means.size();
+    const double fourth = inner ? second(k + 1) - 2.0 * second(k) + second(k - 1) : 0.0;
+    curve[k].value += 3.0 / 640.0 * fourth - second(k) / 24.0;
+    curve[k].standardError = std::hypot(curve[k].standardError, leftOpen * fourth);
+  }
 }
 
 struct Levels {

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,9 @@ class TestProcedures : public QObject {
   void homing_findsTheIndexToACount();
   void homing_findsItAgainFromElsewhere();
   void homingWithoutIndex_saysSo();
+  void homingOnADiscOfOtherCounts_namesThem_data();
+  void homingOnADiscOfOtherCounts_namesThem();
+  void homingWithAFalseIndex_doesntTakeItForOtherCounts();
   void homingOfAHeldRotor_saysSo();
   void homingThatCreeps_timesOut();
   void homing_countsEdgesTowardsGrowingAngleOnly();
@@ -37,6 +41,7 @@ class TestProcedures : public QObject {
   void unreachableSpeed_isReported();
   void speedLostWhileMeasuring_isReportedWithItsPlace();
   void breakawaySweep_logsTheAngleReallyReached();
+  void placesThatSeemFree_dontEndASweepThatCanGoOn();
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
   void aRotorThatSticksWhereFrictionIsHigh_isNotHeld();
@@ -143,6 +148,62 @@ void TestProcedures::homingWithoutIndex_saysSo() {
   QCOMPARE(homing.state(), Procedure::State::failed);
   QVERIFY(homing.status().failure.find("no index within 1.5 turns") != std::string::npos);
   QCOMPARE(homing.step(sample), Command{});
+}
+
+void TestProcedures::homingOnADiscOfOtherCounts_namesThem_data() {
+  QTest::addColumn<double>("shownTurns");
+  QTest::addColumn<QString>("words");
+  QTest::newRow("a quarter more") << 1.25 << "a turn has 5120 counts, not 4096";
+  QTest::newRow("a fifth less") << 0.8 << "a turn has 3277 counts, not 4096";
+  QTest::newRow("the other channel only") << 0.5 << "a turn has 2048 counts, not 4096";
+}
+
+/// The index comes once in a true turn, which the board takes for so many.
+void TestProcedures::homingOnADiscOfOtherCounts_namesThem() {
+  QFETCH(double, shownTurns);
+  QFETCH(QString, words);
+  const double turn = 2.0 * std::numbers::pi, count = turn / 4096.0;
+  HomingOptions options;
+  options.countsPerRev = 4096.0;
+  options.timeout_s = 300.0;
+  Homing homing(options);
+  Sample sample;
+  double before = 0.0;
+  for (int k = 0; k < 300000 && homing.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.velocity_rad_per_s = 1.0;
+    sample.angle_rad = count * std::floor(1e-3 * k / count);
+    const auto passes = [&](double angle) { return std::floor((angle - 1.0) / (shownTurns * turn)); };
+    sample.index = passes(sample.angle_rad) != passes(before);
+    before = sample.angle_rad;
+    homing.step(sample);
+  }
+  QCOMPARE(homing.state(), Procedure::State::failed);
+  QVERIFY2(homing.status().failure.find(words.toStdString()) != std::string::npos, homing.status().failure.c_str());
+}
+
+/// What comes in between once, and not as far again, is no disc's index.
+void TestProcedures::homingWithAFalseIndex_doesntTakeItForOtherCounts() {
+  const double turn = 2.0 * std::numbers::pi;
+  HomingOptions options;
+  options.countsPerRev = 4096.0;
+  Homing homing(options);
+  Sample sample;
+  double before = 0.0;
+  for (int k = 0; k < 100000 && homing.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.velocity_rad_per_s = 3.0;
+    sample.angle_rad = 3e-3 * k;
+    const auto passed = [&](double place) {
+      return std::floor((sample.angle_rad - place) / turn) != std::floor((before - place) / turn);
+    };
+    sample.index = passed(1.0) || passed(1.0 + 0.8 * turn);
+    before = sample.angle_rad;
+    homing.step(sample);
+  }
+  QCOMPARE(homing.state(), Procedure::State::failed);
+  QVERIFY2(homing.status().failure.find("seen twice within a turn") != std::string::npos,
+           homing.status().failure.c_str());
 }
 
 void TestProcedures::homingOfAHeldRotor_saysSo() {
@@ -308,6 +369,20 @@ void TestProcedures::breakawaySweep_logsTheAngleReallyReached() {
     QVERIFY(std::abs(std::remainder(event.angle_rad - wanted, 2.0 * std::numbers::pi)) < 0.15);
     QVERIFY2(event.torque_Nm > 0.012 && event.torque_Nm < 0.032, qPrintable(QString::number(event.torque_Nm)));
   }
+}
+
+/// Of a slow run in strong cogging, say: a third of the turn seems to take a twelfth of what it takes.
+void TestProcedures::placesThatSeemFree_dontEndASweepThatCanGoOn() {
+  auto drive = servo();
+  BreakawaySweepOptions options = quickSweep();
+  for (auto& way : options.moving_A) {
+    way.assign(36, 0.24);
+    std::fill(way.begin() + 12, way.begin() + 24, 0.02);
+  }
+  const auto sweep = std::make_shared<BreakawaySweep>(options);
+  run(*drive, sweep, 300.0);
+  QVERIFY2(sweep->state() == Procedure::State::finished, sweep->status().failure.c_str());
+  QVERIFY(sweep->missed() <= 1);
 }
 
 void TestProcedures::stoppedSweep_keepsWhatItMeasured() {

@@ -11,6 +11,7 @@ class TestMapSoundness : public QObject {
  private slots:
   void soundMap_isOne();
   void breakawayBelowCoulomb_isNone();
+  void movingFrictionThatMayBeNothing_isNone();
   void turnsThatDontRepeat_areNone();
   void noiseAroundAnEvenCurve_isOne();
   void binsWithoutBreakaways_areSaid();
@@ -54,6 +55,20 @@ void TestMapSoundness::breakawayBelowCoulomb_isNone() {
   QCOMPARE(why.size(), size_t{1});
   QVERIFY2(why[0].starts_with("what starts motion (21.1 mNm) is less than what keeps it up (25 mNm): "),
            why[0].c_str());
+}
+
+/// A load that came and went while one speed was run makes the line through all of them meet zero speed anywhere. What
+/// the data leave open, or a rotor that rolls a third as hard as it starts, is no contradiction.
+void TestMapSoundness::movingFrictionThatMayBeNothing_isNone() {
+  FrictionMap map = mapOf(0.2, 0.01, 0.0003);
+  map.coulombAverage_Nm.standardError = 0.0015;
+  const auto why = unsoundness(map);
+  QCOMPARE(why.size(), size_t{1});
+  QVERIFY2(why[0].starts_with("what keeps motion up (0.3, -2.64 to 3.24 mNm) may be nothing"), why[0].c_str());
+  map.coulombAverage_Nm = {0.004, 0.003};
+  QVERIFY(unsoundness(map).empty());
+  map.coulombAverage_Nm = {0.007, 1e-4};
+  QVERIFY(unsoundness(map).empty());
 }
 
 void TestMapSoundness::turnsThatDontRepeat_areNone() {

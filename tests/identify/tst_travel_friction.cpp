@@ -17,6 +17,7 @@ class TestTravelFriction : public QObject {
   void levelCurves_areLeftLevel();
   void massAndFriction_areToldApart();
   void wavesOfFewBins_arentFlattened();
+  void wavesFinerThanTwoBins_areHeldByTheIntervals();
   void forceConstantsDoubt_isInEveryBin();
   void twoSpeeds_areRefused();
   void coarseCounts_dontMakeFriction();
@@ -170,6 +171,34 @@ void TestTravelFriction::wavesOfFewBins_arentFlattened() {
       found += 2.0 * wave * (way.coulomb_Nm[k].value - coulombAt(at(k))) / 72.0;
     }
     QVERIFY2(std::abs(found - 1.0) < 0.04, qPrintable(QString::number(found)));
+  }
+}
+
+/// Of less than two bins, as a linear motor's magnets are to a coarse map: what its means hide, its intervals hold.
+void TestTravelFriction::wavesFinerThanTwoBins_areHeldByTheIntervals() {
+  constexpr double perBin = 20.0 / 18.0 * std::numbers::pi, noise_A = 2e-3;
+  const double flattened = std::sin(0.5 * perBin) / (0.5 * perBin);
+  auto strokes = strokesOf({0.02, 0.1, 0.3, 0.8}, noise_A, 6);
+  const auto waveAt = [](size_t k) { return 0.8 * std::cos(perBin * static_cast<double>(k) + 0.5); };
+  for (TravelRun& run : strokes) {
+    for (size_t w = 0; w < 2; ++w) {
+      for (size_t k = 0; k < places; ++k) {
+        TravelBinSums& sum = run.bins[w][k];
+        const double sign = w == 0 ? -1.0 : 1.0;
+        sum.current_A += sign * static_cast<double>(sum.samples) * flattened * waveAt(k) / 14.0;
+      }
+    }
+  }
+  const auto friction = fitTravelFriction(strokes, optionsFor(noise_A));
+  QVERIFY2(friction.ok(), friction ? "" : friction.error().message().c_str());
+  for (const MovingFriction& way : friction->moving) {
+    double held = 0.0;
+    for (size_t k = 4; k + 4 < places; ++k) {
+      const Estimate& one = way.coulomb_Nm[k];
+      held +=
+          std::abs(one.value - coulombAt(at(k)) - waveAt(k)) < 1.96 * one.standardError ? 1.0 / (places - 8.0) : 0.0;
+    }
+    QVERIFY2(held > 0.85, qPrintable(QString::number(held)));
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double searchCounts_per_s = 150.0, approachCounts_per_s = 50.0, backOffCounts = 10.0;
 constexpr double turnsRound_s = 1.0;   // that a standing rotor is given to break loose the other way
 constexpr double mostPart = 0.3;       // of the speed that the supply leaves without load
-constexpr double turnsOfHoming = 4.0;  // more than it takes in all, at the speed of the search
+constexpr double turnsOfHoming = 6.0;  // more than it takes in all, at the speed of the search
 
 /// Slower, and friction would hold the rotor for longer than that: while it stands, the integral and the disturbance
 /// feedback let the current grow by (ki + g·kp)·ω in a second, from what friction takes one way to the other.

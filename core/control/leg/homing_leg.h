@@ -11,7 +11,7 @@ struct HomingPlan {
   Scalar searchSpeed_rad_per_s = 0, approachSpeed_rad_per_s = 0;  ///< positive
   Scalar backOff_rad = 0;
   Scalar tolerance_rad = 0;  ///< between two sights of one edge
-  Scalar mostTurns = 0;      ///< of the search
+  Scalar mostTurns = 0;      ///< of the search, and from one sight of the index to the next
   Scalar timeout_s = 0;
   Scalar stall_s = 0;  ///< without any motion
   std::uint8_t approaches = 0;
@@ -29,8 +29,8 @@ class HomingLeg {
     still,     ///< the rotor doesn't move
     timedOut,  ///< not done in time
     noIndex,   ///< none within the search's turns
-    notAgain,  ///< none a turn after the first
-    twice,     ///< one within a turn after the first
+    notAgain,  ///< none where it was looked for after the first
+    twice,     ///< one elsewhere than a turn after the first, and another, or none, after that
     lost,      ///< none when passing slowly
     twoPlaces  ///< edges further apart than the tolerance
   };
@@ -112,19 +112,26 @@ class HomingLeg {
         }
         return;
       case verify:
-        // A sound index comes once in a turn; anywhere else it is a disturbed wire or a lost count.
-        if (since > turn_ + tolerance_) {
-          end(notAgain);
-        } else if (seen.index && since > 0) {
-          if (since <= turn_ - tolerance_) return end(twice);
-          enter(backOff, seen);
-        }
+        verifyAt(since, seen);
         return;
       case backOff:
         if (since < -backOff_) enter(approach, seen);
         return;
       default:
         pass(seen, before, since);
+    }
+  }
+
+  /// A sound index comes once in a turn; anywhere else it is a disturbed wire, a lost count, or a turn that has other
+  /// counts: then the next one comes as far again.
+  void verifyAt(std::int32_t since, const LegSeen<Scalar>& seen) {
+    if (since > most_ + odd_) return end(odd_ > 0 ? twice : notAgain);
+    if (!seen.index || since <= odd_) return;
+    if (odd_ > 0) return end(twice);
+    if (!isWithin(since - turn_, tolerance_)) {
+      odd_ = since;
+    } else {
+      enter(backOff, seen);
     }
   }
 
@@ -147,6 +154,7 @@ class HomingLeg {
   std::int32_t turn_ = 0, backOff_ = 0, tolerance_ = 0, still_ = 0, most_ = 0;
   std::uint32_t timeout_us_ = 0, stall_us_ = 0, begun_us_ = 0, moved_us_ = 0;
   std::int32_t from_ = 0, moved_ = 0, before_ = 0, edge_ = 0;
+  std::int32_t odd_ = 0;  ///< from the first sight of the index to one that came elsewhere than a turn later
   std::uint8_t passes_ = 0;
   bool known_ = false, coasts_ = true;
 };
