@@ -276,7 +276,7 @@ void ConnectPage::showIdentity() {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});
   } else {
-    const auto number = [](double value) { return numberText(value, 4); };
+    const auto number = [](double value) { return plainText(value); };
     facts_->show({{tr("Device"), QString::fromStdString(boardName(identity)), {}},
                   {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
                   {tr("Address"), shortAddress(connection_.uri()), connection_.uri()},
@@ -286,7 +286,7 @@ void ConnectPage::showIdentity() {
                                           : tr("As often as the board can answer while half of its time stays free")},
                   {tr("Encoder"),
                    (connection_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn"))
-                       .arg(identity.countsPerRev, 0, 'g', 10),
+                       .arg(plainText(identity.countsPerRev)),
                    {}},
                   {tr("Index"),
                    !identity.hasIndex     ? tr("none")

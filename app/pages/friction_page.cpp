@@ -310,7 +310,7 @@ void FrictionPage::showAverages(const Commission& known) {
     }
   }
   if (known.compensatedRun) {
-    const auto error = [&](double value) { return tr("%1 %2").arg(value, 0, 'g', 3).arg(units.speed); };
+    const auto error = [&](double value) { return tr("%1 %2").arg(numberText(value)).arg(units.speed); };
     const CompensatedRun& run = *known.compensatedRun;
     facts.push_back({tr("Velocity error"),
                      tr("%1, with the map %2").arg(error(run.without_rad_per_s), error(run.with_rad_per_s)),

@@ -117,18 +117,18 @@ std::vector<Fact> HomePage::travelFacts() const {
   const auto index = bench_.index_rad();
   if (!index) return {{tr("Travel"), tr("not felt yet"), {}}, {tr("Index"), tr("not homed yet"), {}}};
   const auto millimetres = [](double length_m, int decimals) {
-    return tr("%1 mm").arg(1e3 * length_m, 0, 'f', decimals);
+    return tr("%1 mm").arg(fixedText(1e3 * length_m, decimals));
   };
   const Commission& known = bench_.known();
   const bool hasIndex = connection_.identity().hasIndex;
-  return {
-      {tr("Travel"), millimetres(known.counted.high_m - known.counted.low_m, 2), tr("From end to end")},
-      {tr("Margin"), millimetres(known.counted.margin_m, 1), tr("Kept away from either end")},
-      {hasIndex ? tr("Index") : tr("Lower end"), tr("%1 mm in the board's position").arg(1e3 * index->value, 0, 'f', 3),
-       hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
-      {tr("Interval"), tr("± %1 µm (95 %)").arg(1e6 * normal95 * index->standardError, 0, 'f', 1), {}},
-      {tr("Highest speed"), tr("%1 m/s").arg(known.pace.speed_m_per_s, 0, 'f', 3),
-       tr("That strokes can reach between the margins")}};
+  return {{tr("Travel"), millimetres(known.counted.high_m - known.counted.low_m, 2), tr("From end to end")},
+          {tr("Margin"), millimetres(known.counted.margin_m, 1), tr("Kept away from either end")},
+          {hasIndex ? tr("Index") : tr("Lower end"),
+           tr("%1 mm in the board's position").arg(fixedText(1e3 * index->value, 3)),
+           hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
+          {tr("Interval"), tr("± %1 µm (95 %)").arg(1e6 * normal95 * index->standardError, 0, 'f', 1), {}},
+          {tr("Highest speed"), tr("%1 m/s").arg(known.pace.speed_m_per_s, 0, 'f', 3),
+           tr("That strokes can reach between the margins")}};
 }
 
 std::vector<Fact> HomePage::indexFacts() const {
@@ -154,7 +154,7 @@ void HomePage::showMotion() {
   const auto index = bench_.index_rad();
   if (index && state.mark != StepMark::running)
     state = {StepMark::done, connection_.linear()
-                                 ? tr("index at %1 mm").arg(1e3 * index->value, 0, 'f', 2)
+                                 ? tr("index at %1 mm").arg(fixedText(1e3 * index->value, 2))
                                  : tr("index ± %1°").arg(numberText(degrees(normal95 * index->standardError), 2))};
   setState(state);
 }

@@ -453,7 +453,7 @@ void TunePage::showChips() {
   const bool stable = now.margins.stable;
   const auto bounded = [](double value, const QString& text) { return std::isfinite(value) ? text : tr("any"); };
   const double phase_deg = now.margins.phaseMargin_rad * 180.0 / std::numbers::pi;
-  phase_->show(stable ? bounded(phase_deg, tr("%1°").arg(phase_deg, 0, 'f', 1)) : tr("none"),
+  phase_->show(stable ? bounded(phase_deg, tr("%1°").arg(fixedText(phase_deg, 1))) : tr("none"),
                stable ? QString("≥ 45°") : tr("unstable"), toneOf(gradeOfPhase(now.margins)));
   gain_->show(stable ? bounded(now.margins.gainMargin, numberText(now.margins.gainMargin)) : tr("none"),
               stable ? QString("≥ 2.5") : tr("unstable"), toneOf(gradeOfGain(now.margins)));

@@ -28,6 +28,12 @@ std::vector<std::pair<std::string, std::string>> wantedOf(const Diagnosis& diagn
   return wanted;
 }
 
+/// The model without this finding; without any where it is a place.
+Model without(Model model, const std::string& effect) {
+  std::erase_if(model.effects, [&effect](const EffectTerm& term) { return effect.empty() || term.effect == effect; });
+  return model;
+}
+
 const ResidualMap* mapOver(const std::string& axis, const std::vector<ResidualMap>& maps) {
   const auto found = std::find_if(maps.begin(), maps.end(), [&](const ResidualMap& map) {
     return map.axis == axis && !map.ofSomeSpeeds() && map.shows != Unknown::voltage;
@@ -45,14 +51,17 @@ std::vector<Evidence> evidenceOf(const Diagnosis& diagnosis, const Bench& bench,
   if (heldout) others.push_back(*heldout);
   const auto prepared = prepare(bench, {recording}, others, diagnosis.fit.window_s);
   if (!prepared) return {};
-  std::vector<Track> tracks = heldoutTracks(*prepared);
+  std::vector<Track> tracks = heldoutTracks(*prepared), whole = prepared->training;
+  whole.insert(whole.end(), tracks.begin(), tracks.end());
   if (tracks.empty()) tracks = prepared->training;
   const auto before = residualMaps(diagnosis.base, tracks, seed), after = residualMaps(diagnosis.model, tracks, seed);
   std::vector<Evidence> all;
   for (const auto& [effect, axis] : wanted) {
     const ResidualMap *one = mapOver(axis, before), *other = mapOver(axis, after);
     if (one == nullptr || other == nullptr) continue;
-    all.push_back({effect, QString::fromStdString(axis), diagnosis.base.axis == Axis::linear, *one, *other});
+    all.push_back({effect, QString::fromStdString(axis), diagnosis.base.axis == Axis::linear, *one, *other, {}});
+    if (!diagnosis.findings.empty())
+      all.back().law = explainedOver(*one, without(diagnosis.model, effect), diagnosis.model, whole);
   }
   return all;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/diagnosis.h"
+#include "diagnose/verdict/explained.h"
 #include "diagnose/verdict/where.h"
 
 namespace breakaway {
@@ -17,6 +18,7 @@ struct Evidence {
   QString axis;         ///< as Place has it
   bool linear = false;  ///< N over m, instead of Nm over rad
   ResidualMap before, after;
+  Course law;  ///< what the finding says of `before`, along all that was recorded; of a place, what all say
 };
 
 /// Each finding's, over its own axis, where residuals are mapped over that; where no finding has one, the first

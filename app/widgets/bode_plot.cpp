@@ -144,7 +144,7 @@ void BodePlot::drawMargins() {
          numberText(margins_.gainMargin), gradeOfGain(margins_), Qt::AlignLeft);
   if (margins_.gainCrossover_rad_per_s > 0.0 && std::isfinite(margins_.phaseMargin_rad))
     mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + phaseDegree * margins_.phaseMargin_rad,
-         tr("%1°").arg(phaseDegree * margins_.phaseMargin_rad, 0, 'f', 1), gradeOfPhase(margins_), Qt::AlignRight);
+         tr("%1°").arg(fixedText(phaseDegree * margins_.phaseMargin_rad, 1)), gradeOfPhase(margins_), Qt::AlignRight);
 }
 
 }  // namespace breakaway

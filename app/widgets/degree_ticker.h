@@ -3,20 +3,22 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/true_minus.h"
+
 namespace breakaway {
 
-class DegreeTicker : public QCPAxisTickerFixed {
+class DegreeTicker : public TrueMinus<QCPAxisTickerFixed> {
  public:
   explicit DegreeTicker(double step_deg) { setTickStep(step_deg); }
 
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return QCPAxisTickerFixed::getTickLabel(tick, locale, format, precision) + QChar(0xb0);
+    return TrueMinus::getTickLabel(tick, locale, format, precision) + QChar(0xb0);
   }
 };
 
 /// At parts of a turn that divide it evenly, as many as there is room for; finer than a degree by decimals.
-class RoundDegreeTicker : public QCPAxisTicker {
+class RoundDegreeTicker : public PlainTicker {
  protected:
   double getTickStep(const QCPRange& range) override {
     const double wanted = range.size() / tickCount();

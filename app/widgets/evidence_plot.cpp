@@ -17,6 +17,7 @@
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/residual_axis.h"
+#include "widgets/true_minus.h"
 
 namespace breakaway {
 
@@ -24,7 +25,7 @@ namespace {
 
 constexpr int textGap_px = 24;        // at both sides of a text in the head, and between two
 constexpr double nearSpacings = 2.5;  // of the middle one, between cells that a line joins
-constexpr double wideBar_px = 9.0, thinBar_px = 3.0, wideBarAlpha = 0.35;
+constexpr double barWidth_px = 6.0, lawWidth_px = 1.8, dot_px = 6.0;
 
 }  // namespace
 
@@ -57,8 +58,8 @@ EvidencePlot::EvidencePlot(Comparison& comparison, QWidget* parent)
     return text;
   };
   title_ = words(0, Qt::AlignLeft);
-  names_ = {words(1, Qt::AlignRight), words(2, Qt::AlignRight)};
-  head->setColumnStretchFactors({1.0, 1e-3, 1e-3});
+  names_ = {words(1, Qt::AlignRight), words(2, Qt::AlignRight), words(3, Qt::AlignRight)};
+  head->setColumnStretchFactors({1.0, 1e-3, 1e-3, 1e-3});
   plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0});
   plot_->axisRect()->setMinimumMargins(QMargins(44, 7, 10, 3));
   plot_->yAxis->ticker()->setTickCount(4);
@@ -91,19 +92,23 @@ void EvidencePlot::draw() {
   title_->setTextColor(look.ink);
   title_->setFont(typed(Type::caption));
   title_->setVisible(evidence != nullptr);
+  const bool law = evidence != nullptr && !evidence->law.at.empty();
+  const std::array<QString, 3> names{tr("base model"), law ? tr("— the finding's law") : QString(),
+                                     tr("with findings")};
   for (size_t k = 0; k < names_.size(); ++k) {
-    names_[k]->setText(k == 0 ? tr("base model") : tr("with findings"));
-    names_[k]->setTextColor(look.curve(k == 0 ? 1 : 0));
-    names_[k]->setFont(typed(Type::caption, true));
-    names_[k]->setVisible(evidence != nullptr);
+    names_[k]->setText(names[k]);
+    names_[k]->setTextColor(look.curve(k == 2 ? 0 : 1));
+    names_[k]->setFont(typed(Type::caption, k != 1));
+    names_[k]->setVisible(evidence != nullptr && !names[k].isEmpty());
   }
   if (evidence != nullptr) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
     showTitle();
     plot_->xAxis->setTicker(axis.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
-                                             : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+                                             : QSharedPointer<QCPAxisTicker>(new PlainTicker));
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
+    drawLaw();
     plot_->xAxis->rescale();
     plot_->xAxis->scaleRange(1.04);  // the outermost bins stand free of the edge
     plot_->yAxis->rescale();
@@ -116,13 +121,13 @@ void EvidencePlot::draw() {
 void EvidencePlot::showTitle() {
   const Evidence* evidence = comparison_.evidence();
   if (evidence == nullptr) return;
-  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bars 95 %")
-                                          : tr("Residual torque (mNm) over %1, unseen data, bars 95 %"))
+  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bands 95 %")
+                                          : tr("Residual torque (mNm) over %1, unseen data, bands 95 %"))
                             .arg(shownAxis(evidence->axis, evidence->linear).label());
   const QString whole = evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title;
   int room_px = width();
   for (QCPTextElement* name : names_)
-    room_px -= QFontMetrics(name->font()).horizontalAdvance(name->text()) + textGap_px;
+    if (name->visible()) room_px -= QFontMetrics(name->font()).horizontalAdvance(name->text()) + textGap_px;
   const bool fits = QFontMetrics(title_->font()).horizontalAdvance(whole) + textGap_px <= room_px;
   title_->setText(fits ? whole : title);
 }
@@ -133,33 +138,60 @@ void EvidencePlot::resizeEvent(QResizeEvent* event) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+/// The law of the findings, as a line through what the base model leaves.
+void EvidencePlot::drawLaw() {
+  const auto& evidence = *comparison_.evidence();
+  const double x = shownAxis(evidence.axis, evidence.linear).scale, y = evidence.linear ? 1.0 : 1e3;
+  QCPGraph* line = plot_->addGraph();
+  line->setName("law");
+  for (size_t k = 0; k < evidence.law.at.size(); ++k) line->addData(x * evidence.law.at[k], y * evidence.law.value[k]);
+  line->setPen(QPen(Look::of(palette()).curve(1), lawWidth_px));
+}
+
 void EvidencePlot::drawMap(const ResidualMap& map, int colour) {
   const Look& look = Look::of(palette());
   const auto& evidence = *comparison_.evidence();
   const double x = shownAxis(evidence.axis, evidence.linear).scale, y = evidence.linear ? 1.0 : 1e3;
-  QCPGraph* means = plot_->addGraph();  // unseen: what the bars stand on, beneath the line
+  QCPGraph *low = plot_->addGraph(), *high = plot_->addGraph();  // unseen: the band's edges
+  QCPGraph* alone = plot_->addGraph();                           // unseen: what stands without a neighbour
   auto* bars = new QCPErrorBars(plot_->xAxis, plot_->yAxis);
-  QCPGraph* line = plot_->addGraph();
-  bars->setDataPlottable(means);
-  const auto add = [&](double at, double mean, double half) {
-    for (QCPGraph* graph : {means, line}) graph->addData(x * at, y * mean);
-    bars->addData(y * half);
+  QCPGraph* means = plot_->addGraph();
+  bars->setDataPlottable(alone);
+  const auto band = [&](double at, double mean, double half) {
+    low->addData(at, mean - half);
+    high->addData(at, mean + half);
   };
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  bool joined = false;  // to the cell before
   for (size_t k = 0; k < map.centre.size(); ++k) {
     if (!std::isfinite(map.mean[k])) continue;
-    add(map.centre[k], map.mean[k], std::isfinite(map.error[k]) ? normal95 * map.error[k] : none);
-    if (k + 1 < map.centre.size() && !leadsOn(map, k)) add(map.centre[k], none, none);
+    const double at = x * map.centre[k], mean = y * map.mean[k];
+    const double half = std::isfinite(map.error[k]) ? y * normal95 * map.error[k] : 0.0;
+    const bool leads = leadsOn(map, k);
+    means->addData(at, mean);
+    if (joined || leads) {
+      band(at, mean, half);
+    } else {
+      alone->addData(at, mean);
+      bars->addData(half);
+    }
+    if (!leads) {
+      band(at, none, none);
+      means->addData(at, none);
+    }
+    joined = leads;
   }
-  // The first bars are wide and pale, so that the second ones can be told from them at the same place.
-  QColor ink = look.curve(colour);
-  if (colour == 1) ink.setAlphaF(wideBarAlpha);
-  bars->setPen(QPen(ink, colour == 1 ? wideBar_px : thinBar_px, Qt::SolidLine, Qt::FlatCap));
-  means->setPen(Qt::NoPen);
+  for (QCPGraph* edge : {low, high, alone}) edge->setPen(Qt::NoPen);
+  high->setBrush(look.band(colour));
+  high->setChannelFillGraph(low);
+  bars->setPen(QPen(look.measured(colour), barWidth_px, Qt::SolidLine, Qt::FlatCap));
   bars->setWhiskerWidth(0.0);
   bars->setSymbolGap(0.0);
-  line->setPen(QPen(look.curve(colour), 1.2));
-  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(colour), colour == 1 ? 8 : 6));
+  // The law goes through the first ones, where there is one; the second ones are what is left.
+  const bool line = colour == 0 || comparison_.evidence()->law.at.empty();
+  means->setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
+  means->setPen(QPen(look.curve(colour), 1.2));
+  means->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(colour), dot_px));
 }
 
 void EvidencePlot::read(double at) {

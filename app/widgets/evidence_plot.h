@@ -15,7 +15,8 @@ struct ResidualMap;
 /// Whether a line may lead from this cell to the next one: both have a mean, and lie as near as most cells do.
 bool leadsOn(const ResidualMap& map, size_t cell);
 
-/// Means of cells with their intervals as bars; a line joins only neighbours.
+/// Means of cells with their intervals as a band, which joins only neighbours; the law of the findings is a line
+/// through what the base model leaves.
 class EvidencePlot : public QWidget {
   Q_OBJECT
 
@@ -32,13 +33,14 @@ class EvidencePlot : public QWidget {
  private:
   void draw();
   void showTitle();
+  void drawLaw();
   void drawMap(const ResidualMap& map, int colour);
   void read(double x);
 
   Comparison& comparison_;
   QCustomPlot* plot_ = nullptr;
   QCPTextElement* title_ = nullptr;
-  std::array<QCPTextElement*, 2> names_{};  ///< before, after
+  std::array<QCPTextElement*, 3> names_{};  ///< before, the law in it, after
   QCPTextElement* hint_ = nullptr;
 };
 

@@ -12,6 +12,7 @@
 #include "widgets/number_text.h"
 #include "widgets/parameter_words.h"
 #include "widgets/residual_axis.h"
+#include "widgets/rival_bars.h"
 
 namespace breakaway {
 
@@ -113,6 +114,17 @@ void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {
   for (const Parameter& parameter : finding.parameters)
     column.addWidget(wrapped(caption(parent, wordsOf(parameter).line())));
   if (!finding.ambiguousWith.empty()) addText(column, tr("Could also be: %1.").arg(names(finding.ambiguousWith)));
+  addRivals(column, finding);
+}
+
+/// Why it won, or why it can't be told from others.
+void FindingsList::addRivals(QVBoxLayout& column, const Finding& finding) {
+  QWidget* parent = column.parentWidget();
+  if (!finding.rivals.empty()) {
+    column.addWidget(wrapped(caption(parent, tr("Error on unseen data with others in its place, lines 95 %"))));
+    column.addWidget(new RivalBars(*comparison_.diagnosis(), finding, parent));
+  }
+  column.addWidget(wrapped(caption(parent, inLanguage(rivalSentence(finding)))));
 }
 
 void FindingsList::addPlaces(QVBoxLayout& column) {

@@ -29,6 +29,7 @@ class FindingsList : public QWidget {
   void rebuild();
   void showLinks();
   void addFinding(QVBoxLayout& column, const Finding& finding);
+  void addRivals(QVBoxLayout& column, const Finding& finding);
   void addPlaces(QVBoxLayout& column);
   void addText(QVBoxLayout& column, const QString& text, const char* objectName = "");
 

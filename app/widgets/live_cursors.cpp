@@ -8,6 +8,7 @@
 #include "session/live_history.h"
 #include "widgets/elided_label.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -72,11 +73,11 @@ void LiveCursors::write() {
   const auto b = history_.nearest(marks_[1].time_s());
   difference_.setVisible(shown_ && a && b);
   if (!shown_ || !a || !b) return;
-  const QString apart = tr("Δt %1 s").arg(b->time_s - a->time_s, 0, 'f', 4);
-  difference_.setText(tr("%1   A %2 s   B %3 s").arg(apart).arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4));
+  const QString apart = tr("Δt %1 s").arg(fixedText(b->time_s - a->time_s, 4));
+  difference_.setText(tr("%1   A %2 s   B %3 s").arg(apart).arg(fixedText(a->time_s, 4)).arg(fixedText(b->time_s, 4)));
   difference_.setShorter(apart);
   for (size_t k = 0; k < std::min(readouts_.size(), channels_.size()); ++k) {
-    const auto text = [&](double value) { return QString::number(value, 'f', channels_[k].decimals); };
+    const auto text = [&](double value) { return fixedText(value, channels_[k].decimals); };
     const double atA = channels_[k].of(*a), atB = channels_[k].of(*b);
     readouts_[k]->setText(tr("A %1   B %2   Δy %3").arg(text(atA), text(atB), text(atB - atA)));
   }

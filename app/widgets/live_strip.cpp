@@ -122,7 +122,7 @@ bool LiveStrip::refresh() {
     const double value = newest ? channel.of(*newest) : 0.0;
     numbers_[k].value->setText(!newest                        ? tr("–")
                                : std::abs(value) < manyDigits ? steadyNumber(value, channel.leastSpan)
-                                                              : QString::number(value, 'f', 0));
+                                                              : fixedText(value, 0));
     std::vector<double> line;
     if (newest) {
       const double rate_Hz = std::max(1.0, connection_.identity().loopRate_Hz);

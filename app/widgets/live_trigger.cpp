@@ -9,6 +9,7 @@
 
 #include "widgets/controls.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -133,7 +134,7 @@ double LiveTrigger::viewEnd_s(double span_s, double newest_s) {
   const bool stands = found && (trigger_->done() || newest_s - edge_s < (1.0 + patience) * span_s);
   edge_.show(stands);
   edge_.moveTo(edge_s);
-  if (trigger_) state_->setText(stands ? tr("edge at %1 s").arg(edge_s, 0, 'f', 4) : tr("waits for an edge"));
+  if (trigger_) state_->setText(stands ? tr("edge at %1 s").arg(fixedText(edge_s, 4)) : tr("waits for an edge"));
   return stands ? edge_s + (1.0 - beforePart) * span_s : newest_s;
 }
 

@@ -84,8 +84,9 @@ ParameterWords wordsOf(const Parameter& parameter) {
     scale = 1.0;
   }
   words.name = nameInLanguage(name.toStdString());
-  words.value = numberText(scale * parameter.value);
-  if (parameter.low95 != parameter.high95)
+  const bool exact = parameter.low95 == parameter.high95;
+  words.value = exact ? plainText(scale * parameter.value) : numberText(scale * parameter.value);
+  if (!exact)
     words.interval = QCoreApplication::translate("ParameterWords", "%1 to %2")
                          .arg(numberText(scale * parameter.low95), numberText(scale * parameter.high95));
   const double half = 0.5 * std::abs(parameter.high95 - parameter.low95);

@@ -29,8 +29,8 @@ constexpr int wide_px = 652, narrow_px = 430, wideFrom_px = 1700;  // the dock; 
 QString valueText(double value, double other) {
   int enough = digits;
   if (!sameSetting(value, other))
-    while (enough < mostDigits && numberText(value, enough) == numberText(other, enough)) ++enough;
-  return numberText(value, enough);
+    while (enough < mostDigits && plainText(value, enough) == plainText(other, enough)) ++enough;
+  return plainText(value, enough);
 }
 
 /// The cell without tick and colours. It stays the same item, since its own change may be what asks for this.
@@ -215,7 +215,7 @@ void ParametersDock::fillRow(int row) {
   if (range.offered) {
     cells = {{},
              words.titleWithUnit(),
-             numberText(board, digits),
+             plainText(board, digits),
              text(edits_.edited()),
              text(edits_.before()),
              edits_.profile() ? text(edits_.profile()->settings) : QString(),
@@ -276,9 +276,8 @@ void ParametersDock::toggle(int row) {
 void ParametersDock::takeText(int row, const QString& text) {
   const SettingsEdits::Setting setting = settingOf(row);
   const SettingWords words = settingWords(setting, connection_.identity().axis);
-  bool number = false;
-  const double value = QString(text).trimmed().replace(',', '.').toDouble(&number);
-  const bool taken = number && edits_.set(setting, value / words.scale);
+  const std::optional<double> value = numberIn(text);
+  const bool taken = value && edits_.set(setting, *value / words.scale);
   fill();
   if (taken) return;
   explain(tr("%1: %2 is not within %3 %4; the value stays as it was")

@@ -5,6 +5,7 @@
 
 #include "widgets/look.h"
 #include "widgets/roomy_ticker.h"
+#include "widgets/true_minus.h"
 
 namespace breakaway {
 
@@ -33,9 +34,14 @@ void dressAxis(QCPAxis& axis, const Look& look, const QFont& font) {
 
 void dress(QCPAxisRect& rect, const Look& look) {
   for (QCPAxis* axis : rect.axes()) dressAxis(*axis, look, typed(Type::caption));
-  QCPAxis* values = rect.axis(QCPAxis::atLeft);
-  if (values != nullptr && typeid(*values->ticker()) == typeid(QCPAxisTicker))
-    values->setTicker(QSharedPointer<RoomyTicker>::create(*values, values->ticker()->tickCount()));
+  for (QCPAxis* axis : rect.axes()) {  // what a plot chose by itself stays
+    const auto& ticker = *axis->ticker();
+    if (typeid(ticker) != typeid(QCPAxisTicker)) continue;
+    if (axis->axisType() == QCPAxis::atLeft)
+      axis->setTicker(QSharedPointer<RoomyTicker>::create(*axis, ticker.tickCount()));
+    else
+      axis->setTicker(QSharedPointer<PlainTicker>::create());
+  }
   rect.setBackground(QBrush(look.surface));
   rect.setMinimumSize(40, 16);  // where there is little room all are low, and no title is pushed out
 }

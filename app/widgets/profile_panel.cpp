@@ -18,6 +18,7 @@ namespace {
 
 constexpr int nameRole = Qt::UserRole;  ///< of the file
 constexpr int usualDigits = 4, mostDigits = 9;
+constexpr int profileColumn = 2, acceptedColumn = 3;
 
 /// Of a parameter by its name in the file, or of the friction table, which has neither unit nor scale.
 SettingWords wordsFor(const std::string& name) {
@@ -30,7 +31,7 @@ SettingWords wordsFor(const std::string& name) {
 QString shortText(const QString& text, int digits, double scale = 1.0) {
   bool number = false;
   const double value = text.toDouble(&number);
-  return number ? numberText(scale * value, digits) : text;
+  return number ? plainText(scale * value, digits) : text;
 }
 
 /// As many digits as tell the two apart.
@@ -56,7 +57,7 @@ ProfilePanel::ProfilePanel(const Connection& connection, ProfileComparison& prof
   column->addLayout(buttons);
   source_ = explanation(this, {}, "profileSource");
   column->addWidget(source_);
-  table_ = readTable(this, "profileTable", tr("Parameters that differ"),
+  table_ = readTable(this, "profileTable", tr("Parameters of the board, or those that differ from the profile"),
                      {tr("Parameter"), tr("Board"), tr("Profile"), tr("Accepted")});
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   column->addWidget(table_, 100);
@@ -73,17 +74,59 @@ ProfilePanel::ProfilePanel(const Connection& connection, ProfileComparison& prof
   connect(&profile_, &ProfileComparison::changed, this, &ProfilePanel::fill);
   connect(table_, &QTableWidget::itemActivated, this, [this](const QTableWidgetItem* item) {
     auto* name = table_->item(item->row(), 0);  // Enter, since Space is STOP
+    if (!(name->flags() & Qt::ItemIsUserCheckable) || !name->data(nameRole).isValid()) return;
     name->setCheckState(name->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
   });
   connect(table_, &QTableWidget::itemChanged, this, &ProfilePanel::showAvailable);
-  connect(&connection, &Connection::changed, this, &ProfilePanel::showAvailable);
+  connect(&connection, &Connection::changed, this, &ProfilePanel::showBoard);
+  connect(&connection, &Connection::settingsChanged, this, &ProfilePanel::showBoard);
   fill();
 }
 
 void ProfilePanel::fill() {
   const QSignalBlocker quiet(table_);
-  int row = 0;
   table_->setRowCount(0);
+  const QString source = profile_.source();
+  if (source.isEmpty())
+    fillBoard();
+  else
+    fillDifferences();
+  for (const int column : {profileColumn, acceptedColumn}) table_->setColumnHidden(column, source.isEmpty());
+  source_->setText(source.isEmpty()
+                       ? tr("A profile is a file with the gains, limits and friction table of a board: save this "
+                            "board's, or see where a saved one differs. Nothing is written unasked.")
+                   : table_->rowCount() == 0 ? tr("%1: nothing differs").arg(source)
+                                             : source);
+  dressAs(source_, "tone", source.isEmpty() ? "muted" : QString());
+  table_->setVisible(table_->rowCount() > 0);
+  showAvailable();
+}
+
+/// What is open stays as it was compared.
+void ProfilePanel::showBoard() {
+  if (profile_.source().isEmpty())
+    fill();
+  else
+    showAvailable();
+}
+
+/// What a profile would hold.
+void ProfilePanel::fillBoard() {
+  if (!connection_.connected()) return;
+  for (const auto& [name, setting] : profileParameters()) {
+    if (!connection_.rangeOf(setting).offered) continue;
+    const SettingWords words = settingWords(setting, connection_.identity().axis);
+    const int row = table_->rowCount();
+    table_->setRowCount(row + 1);
+    fillRow(*table_, row,
+            {words.titleWithUnit(), plainText(words.scale * connection_.settings().*setting, usualDigits), {}, {}});
+    table_->item(row, 0)->setToolTip(words.meaning);
+  }
+}
+
+/// Where the profile that is open and the board part.
+void ProfilePanel::fillDifferences() {
+  int row = 0;
   for (const ProfileComparison::Row& one : profile_.rows()) {
     if (one.values.same && one.accepted.isEmpty()) continue;
     table_->setRowCount(row + 1);
@@ -101,22 +144,14 @@ void ProfilePanel::fill() {
     name->setCheckState(one.values.same ? Qt::Unchecked : Qt::Checked);
     ++row;
   }
-  const QString source = profile_.source();
-  source_->setText(source.isEmpty()
-                       ? tr("A profile is a file with the gains, limits and friction table of a board: save this "
-                            "board's, or see where a saved one differs. Nothing is written unasked.")
-                   : row == 0 ? tr("%1: nothing differs").arg(source)
-                              : source);
-  dressAs(source_, "tone", source.isEmpty() ? "muted" : QString());
-  table_->setVisible(row > 0);
-  showAvailable();
 }
 
 QStringList ProfilePanel::ticked() const {
   QStringList names;
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto* name = table_->item(row, 0);
-    if (name != nullptr && name->checkState() == Qt::Checked) names << name->data(nameRole).toString();
+    if (name != nullptr && name->checkState() == Qt::Checked && name->data(nameRole).isValid())
+      names << name->data(nameRole).toString();
   }
   return names;
 }

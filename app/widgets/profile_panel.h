@@ -20,6 +20,9 @@ class ProfilePanel : public QWidget {
 
  private:
   void fill();
+  void showBoard();
+  void fillBoard();
+  void fillDifferences();
   void showAvailable();
   QStringList ticked() const;
 

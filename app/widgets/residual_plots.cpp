@@ -13,6 +13,7 @@
 #include "widgets/look.h"
 #include "widgets/residual_axis.h"
 #include "widgets/seconds_ticker.h"
+#include "widgets/true_minus.h"
 
 namespace breakaway {
 
@@ -224,7 +225,7 @@ void ResidualPlots::nameParts() {
   const QString over = shown.label();
   below_->axis(QCPAxis::atBottom)
       ->setTicker(shown.unit == "°" ? QSharedPointer<QCPAxisTicker>(new RoundDegreeTicker)
-                                    : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+                                    : QSharedPointer<QCPAxisTicker>(new PlainTicker));
   for (QCPAxisRect* rect : {above_, below_}) {
     const bool drawn = rect == above_ ? comparison_.recording().has_value() : diagnosed;
     for (QCPAxis* axis : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atBottom)}) {

@@ -3,9 +3,11 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/true_minus.h"
+
 namespace breakaway {
 
-class RoomyTicker : public QCPAxisTicker {
+class RoomyTicker : public PlainTicker {
  public:
   /// About so many, where there is room.
   RoomyTicker(const QCPAxis& axis, int count) : axis_(axis) { setTickCount(count); }

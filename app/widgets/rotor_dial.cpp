@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -98,7 +99,7 @@ void RotorDial::paintHand(QPainter& painter, double radius) const {
   const double degrees = std::fmod(std::fmod(shown_rad * 180.0 / std::numbers::pi, turn_deg) + turn_deg, turn_deg);
   painter.setPen(look.ink);
   painter.setFont(typed(Type::figure));
-  painter.drawText(QRectF(-80, -18, 160, 36), Qt::AlignCenter, tr("%1°").arg(degrees, 0, 'f', 1));
+  painter.drawText(QRectF(-80, -18, 160, 36), Qt::AlignCenter, tr("%1°").arg(fixedText(degrees, 1)));
   painter.setPen(look.muted);
   painter.setFont(typed(Type::caption));
   painter.drawText(QRectF(-80, 18, 160, 20), Qt::AlignCenter, index_rad_ ? tr("from the index") : tr("from power-up"));

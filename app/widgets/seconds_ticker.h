@@ -5,14 +5,16 @@
 
 #include <QCoreApplication>
 
+#include "widgets/true_minus.h"
+
 namespace breakaway {
 
-class SecondsTicker : public QCPAxisTicker {
+class SecondsTicker : public PlainTicker {
   Q_DECLARE_TR_FUNCTIONS(breakaway::SecondsTicker)
 
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return tr("%1 s").arg(QCPAxisTicker::getTickLabel(tick, locale, format, precision));
+    return tr("%1 s").arg(PlainTicker::getTickLabel(tick, locale, format, precision));
   }
 };
 

@@ -91,9 +91,9 @@ QString unitText(Unit unit, Axis axis) {
 }  // namespace
 
 QString SettingWords::rangeText(const SettingRange& range) const {
-  const QString least = numberText(scale * range.least, 4);
+  const QString least = plainText(scale * range.least);
   return std::isfinite(range.most)
-             ? settingText(QT_TRANSLATE_NOOP("SettingWords", "%1 to %2")).arg(least, numberText(scale * range.most, 4))
+             ? settingText(QT_TRANSLATE_NOOP("SettingWords", "%1 to %2")).arg(least, plainText(scale * range.most))
              : settingText(QT_TRANSLATE_NOOP("SettingWords", "%1 and more")).arg(least);
 }
 

@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "widgets/degree_ticker.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -109,7 +110,7 @@ void TravelPlot::mark(const MapPoint& point) {
 }
 
 QString TravelPlot::placeOf(const MapPoint& point) const {
-  return (places_ == Places::travel ? tr("%1 mm") : tr("%1°")).arg(shown(point.at), 0, 'f', 1);
+  return (places_ == Places::travel ? tr("%1 mm") : tr("%1°")).arg(fixedText(shown(point.at), 1));
 }
 
 }  // namespace breakaway

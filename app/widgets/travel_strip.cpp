@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -91,7 +92,7 @@ void TravelStrip::paintTicks(QPainter& painter, const Scale& at, double y) const
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + 7.0));
     painter.setPen(look.muted);
     painter.drawText(QRectF(x - 40.0, bottom + 9.0, 80.0, 18.0), Qt::AlignCenter,
-                     QString::number(stripMm * tick * step_m, 'g', 6));
+                     plainText(stripMm * tick * step_m, 6));
   }
   painter.setPen(look.muted);
   painter.drawText(QRectF(at.left_px, bottom + 28.0, at.width_px, 18.0), Qt::AlignCenter,
@@ -117,7 +118,7 @@ void TravelStrip::paintCarriage(QPainter& painter, const Scale& at, double y) co
   const double shown_mm = stripMm * (*position_m_ - index_m_.value_or(0.0));
   const double textX = std::clamp(x - 70.0, 0.0, std::max(0.0, width() - 140.0));
   painter.drawText(QRectF(textX, y - 0.5 * rail_px - 48.0, 140.0, 26.0), Qt::AlignCenter,
-                   tr("%1 mm").arg(shown_mm, 0, 'f', 2));
+                   tr("%1 mm").arg(fixedText(shown_mm, 2)));
 }
 
 }  // namespace breakaway

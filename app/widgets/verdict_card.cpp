@@ -186,7 +186,7 @@ void VerdictCard::show() {
   }
   proof_->setText(tr("RMS error on %1 in windows of %2 s; it falls by %3 to %4 % (95 % interval)")
                       .arg(fit.separateRecording ? tr("the held-out recording") : tr("unseen parts"))
-                      .arg(numberText(fit.window_s, 2))
+                      .arg(plainText(fit.window_s))
                       .arg(100.0 * fit.improvementLow95, 0, 'f', 0)
                       .arg(100.0 * fit.improvementHigh95, 0, 'f', 0));
 }

@@ -43,9 +43,22 @@ std::string inLines(const std::vector<Parameter>& parameters) {
   return out;
 }
 
+nlohmann::ordered_json withInterval(double value, double low95, double high95) {
+  return {{"value", value}, {"ci95", {low95, high95}}};
+}
+
+nlohmann::ordered_json rivalsJson(const Finding& finding) {
+  auto json = nlohmann::ordered_json::array();
+  for (const RivalScore& one : finding.rivals)
+    json.push_back({{"effect", one.effect},
+                    {"heldout", withInterval(one.error, one.low95, one.high95)},
+                    {"over_finding", withInterval(one.ratio, one.ratioLow95, one.ratioHigh95)}});
+  return json;
+}
+
 nlohmann::ordered_json parametersJson(const std::vector<Parameter>& parameters) {
   auto json = nlohmann::ordered_json::object();
-  for (const Parameter& one : parameters) json[one.name] = {{"value", one.value}, {"ci95", {one.low95, one.high95}}};
+  for (const Parameter& one : parameters) json[one.name] = withInterval(one.value, one.low95, one.high95);
   return json;
 }
 
@@ -69,6 +82,16 @@ std::string proofText(const Diagnosis& d) {
          percentText(1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)) + " (95 % interval " +
          percentText(fit.improvementLow95) + " to " + percentText(fit.improvementHigh95) + "); " + floor +
          ". That is " + percentText(d.proof.achieved) + " of what is possible.\n";
+}
+
+/// What others in its place err by, in a line.
+std::string rivalsText(const Diagnosis& d, const Finding& finding) {
+  if (finding.rivals.empty()) return {};
+  std::string out;
+  for (const RivalScore& one : finding.rivals)
+    out += (out.empty() ? "" : ", ") + one.effect + " " + errorText(one.error, d.model.axis, d.fit) + " (" +
+           digitsText(one.ratioLow95) + " to " + digitsText(one.ratioHigh95) + " times)";
+  return "    in its place, on held-out data: " + out + "\n";
 }
 
 }  // namespace
@@ -127,6 +150,7 @@ std::string inWords(const Diagnosis& d) {
            ")\n";
     if (!finding.ambiguousWith.empty())
       out += "    can't be told from " + joined(finding.ambiguousWith).english() + "\n";
+    out += rivalsText(d, finding);
   }
   if (!d.where.empty()) out += "Where: " + d.where.front().sentence + "\n";
   out += proofText(d);
@@ -146,6 +170,7 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                                 {"share", finding.share},
                                 {"p_value", finding.pValue},
                                 {"ambiguous_with", finding.ambiguousWith},
+                                {"rivals", rivalsJson(finding)},
                                 {"parameters", parametersJson(finding.parameters)},
                                 {"sentence", finding.sentence}});
   }
@@ -175,6 +200,8 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                  {"heldout",
                   {{"before", d.fit.heldoutBefore},
                    {"after", d.fit.heldoutAfter},
+                   {"before_ci95", {d.fit.before95.low, d.fit.before95.high}},
+                   {"after_ci95", {d.fit.after95.low, d.fit.after95.high}},
                    {"improvement_ci95", {d.fit.improvementLow95, d.fit.improvementHigh95}},
                    {"separate_recording", d.fit.separateRecording}}},
                  {"floor", d.fit.floor},

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/made.h"
+#include "base/typeset.h"
 
 namespace breakaway {
 
@@ -158,10 +159,10 @@ std::string numberText(double value, int digits) {
     while (end > 0 && result[end - 1] == '0') --end;
     if (end > 0 && result[end - 1] == '.') --end;
     if (result.find('.') < e) result.erase(end, e - end);
-    return result;
+    return typeset(result);
   }
   const std::string result = fmt::format("{:.{}g}", value, digits);
-  return result.find('e') == std::string::npos ? result : fmt::format("{:.0f}", value);
+  return typeset(result.find('e') == std::string::npos ? result : fmt::format("{:.0f}", value));
 }
 
 }  // namespace breakaway

@@ -56,7 +56,7 @@ class HtmlReport {
   std::string body_;
 };
 
-/// A number for people: `digits` significant digits, trailing zeros cut, "3.1e-05" below 1e-4 and from 1e6 on.
+/// A number for people, typeset(): `digits` significant ones, zeros cut, "3.1·10⁻⁵" below 1e-4 and from 1e6 on.
 std::string numberText(double value, int digits = 4);
 
 }  // namespace breakaway

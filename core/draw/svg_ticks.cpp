@@ -2,22 +2,16 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
+
+#include "base/typeset.h"
 
 namespace breakaway {
 
 namespace {
 
 const char* const minus = "\u2212";
-
-std::string superscript(int value) {
-  static const std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (int rest = std::abs(value); rest > 0 || text.empty(); rest /= 10) text.insert(0, digits[size_t(rest % 10)]);
-  return (value < 0 ? "⁻" : "") + text;
-}
 
 std::string fixed(double value, int decimals) {
   const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);

@@ -2,38 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/marked_text.h"
 #include "base/numbers.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/fit/torque_residual.h"
 #include "diagnose/simulate/simulation.h"
+#include "diagnose/verdict/explained.h"
 #include "diagnose/verdict/where.h"
 #include "draw/html_report.h"
-#include "draw/svg_canvas.h"
+#include "report/error_bars.h"
 #include "report/term_figures.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr int beforeColour = 1, afterColour = 0, wanderColour = 2, measuredColour = 6;
-constexpr MessageText<0> beforeLabel = marked("base model"), afterLabel = marked("with what was missing");
-
-/// What people read positions in: degrees or millimetres.
-struct Shown {
-  double scale;
-  const char* unit;
-};
-Shown shownIn(Axis axis) {
-  return axis == Axis::rotary ? Shown{180.0 / std::numbers::pi, "°"} : Shown{1e3, "mm"};
-}
-
-/// … and what is left of torque or force.
-Shown leftIn(Axis axis) {
-  return axis == Axis::rotary ? Shown{1e3, "mNm"} : Shown{1.0, "N"};
-}
+constexpr int wanderColour = 2, measuredColour = 6;
 
 /// A track with what both models make of it: of its motion, or of its torque where that alone can be foreseen.
 struct Replay {
@@ -256,6 +241,21 @@ Curve bandOf(const ResidualMap& map, const MapText& text, const Message& label, 
   return curve;
 }
 
+Model withoutEffects(Model model) {
+  model.effects.clear();
+  return model;
+}
+
+/// What the findings say of what the base model leaves.
+Curve lawOf(const Course& course, const MapText& text) {
+  Curve curve{.label = message("what the findings say of it"), .x = {}, .y = {}, .colour = measuredColour};
+  for (size_t k = 0; k < course.at.size(); ++k) {
+    curve.x.push_back(text.scale * course.at[k]);
+    curve.y.push_back(text.valueScale * course.value[k]);
+  }
+  return curve;
+}
+
 /// The map that a place was found in, of those that one model leaves; null where there is none.
 const ResidualMap* mapOf(const Place& place, const std::vector<ResidualMap>& maps) {
   const ResidualMap* found = nullptr;  // of several ranges of speeds the one that shows more
@@ -283,6 +283,8 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
     const ResidualMap* same = mapOf(place, after);
     if (!d.findings.empty() && same != nullptr)
       figure.curves.push_back(bandOf(*same, text, message(afterLabel), afterColour));
+    if (!d.findings.empty() && map->axis != "frequency" && !map->ofSomeSpeeds())
+      figure.curves.push_back(lawOf(explainedOver(*map, withoutEffects(d.model), d.model, tracks), text));
     figure.highlights.push_back({text.scale * place.from, text.scale * place.to, message("most here")});
     figures.push_back({name, message("{} Bands: 95 %.", place.sentence), figure});
   }
@@ -308,42 +310,6 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<
   simulateBoth(d, all.front());
   addWholeResidual(figures, d, all.front());
   return figures;
-}
-
-std::string gainSvg(const Diagnosis& d, const Catalogue& language) {
-  constexpr int width = 860;
-  constexpr double left = 250.0, right = 740.0, row = 30.0, top = 52.0;
-  const Shown shown = d.fit.inTorque() ? leftIn(d.model.axis) : shownIn(d.model.axis);
-  struct Bar {
-    Message label;
-    double value;
-    int colour;
-  };
-  std::vector<Bar> bars{{message("held out, {}", message(beforeLabel)), d.fit.heldoutBefore, beforeColour}};
-  if (!d.findings.empty())
-    bars.push_back({message("held out, {}", message(afterLabel)), d.fit.heldoutAfter, afterColour});
-  bars.push_back({message("training, {}", message(beforeLabel)), d.fit.trainBefore, beforeColour});
-  if (!d.findings.empty())
-    bars.push_back({message("training, {}", message(afterLabel)), d.fit.trainAfter, afterColour});
-  bars.push_back({message("a perfect model"), d.fit.floor, 2});
-  double most = 1e-300;
-  for (const Bar& bar : bars) most = std::max(most, bar.value);
-  const auto height = static_cast<int>(top + row * static_cast<double>(bars.size()) + 12.0);
-  SvgCanvas canvas(width, height, message("Error before and after").in(language));
-  canvas.text(0.5 * width, 24.0, message("Error over {} s windows, rms", numberText(d.fit.window_s, 2)).in(language),
-              SvgCanvas::Anchor::middle, Ink::text, 15.0, true);
-  for (size_t k = 0; k < bars.size(); ++k) {
-    const double y = top + row * static_cast<double>(k), end = left + (right - left) * bars[k].value / most;
-    const double cap = std::min(8.0, 0.5 * (end - left));  // ends are round
-    canvas.text(left - 10.0, y + 4.0, bars[k].label.in(language), SvgCanvas::Anchor::end, Ink::text, 13.0);
-    canvas.curve("M" + px(left + cap) + " " + px(y) + "H" + px(std::max(end - cap, left + cap + 0.01)),
-                 Curve{.label = {}, .x = {}, .y = {}, .width_px = 2.0 * cap}, bars[k].colour);
-    canvas.text(end + 14.0, y + 4.0, numberText(shown.scale * bars[k].value, 3) + " " + shown.unit,
-                SvgCanvas::Anchor::start, Ink::text, 13.0);
-  }
-  const double floorX = left + (right - left) * d.fit.floor / most;
-  canvas.line(floorX, top - 14.0, floorX, top + row * static_cast<double>(bars.size()) - 14.0, Ink::faintText);
-  return canvas.finish();
 }
 
 }  // namespace breakaway

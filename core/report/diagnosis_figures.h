@@ -22,7 +22,4 @@ struct NamedFigure {
 std::vector<NamedFigure> diagnosisFigures(const Diagnosis& diagnosis, const std::vector<Recording>& recordings,
                                           const std::vector<Recording>& heldout);
 
-/// The error before, after, and what a perfect model would show, as bars: one SVG document.
-std::string gainSvg(const Diagnosis& diagnosis, const Catalogue& language = {});
-
 }  // namespace breakaway

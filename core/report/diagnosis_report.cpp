@@ -9,6 +9,7 @@
 #include "diagnose/simulate/model_file.h"
 #include "draw/html_report.h"
 #include "report/diagnosis_figures.h"
+#include "report/error_bars.h"
 
 namespace breakaway {
 
@@ -49,6 +50,23 @@ void addFigures(HtmlReport& report, const std::vector<NamedFigure>& figures, std
   }
 }
 
+/// Why it won, or why it can't be told from others.
+void addRivals(HtmlReport& report, const Diagnosis& d, const Finding& finding) {
+  if (finding.rivals.empty()) return report.paragraph(rivalSentence(finding));
+  report.svg(rivalsSvg(d, finding, report.language()), rivalSentence(finding));
+  const Shown shown = scoredIn(d);
+  std::vector<std::vector<Saying>> rows;
+  rows.reserve(finding.rivals.size());
+  for (const RivalScore& one : finding.rivals)
+    rows.push_back({nameOfEffect(one.effect), numberText(shown.scale * one.error, 3),
+                    numberText(shown.scale * one.low95, 3), numberText(shown.scale * one.high95, 3),
+                    numberText(one.ratio, 3),
+                    message("{} to {}", numberText(one.ratioLow95, 3), numberText(one.ratioHigh95, 3))});
+  report.table({message("in its place"), message("held-out error / {}", shown.unit), message("95 % from"),
+                message("95 % to"), message("times the finding's"), message("95 % interval")},
+               rows);
+}
+
 void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures) {
   if (d.findings.empty()) return;
   report.heading(message("What is missing"));
@@ -66,6 +84,7 @@ void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<Named
                   {message("By chance"), "p = " + numberText(finding.pValue, 2)},
                   {message("Can't be told from"), finding.ambiguousWith.empty() ? message("nothing in the catalogue")
                                                                                 : listOf(finding.ambiguousWith)}});
+    addRivals(report, d, finding);
     report.details(message("How {} is modelled", nameOfEffect(finding.effect)),
                    {std::string(effect.formula()), message("Source: {}.", effect.source())});
   }
@@ -154,6 +173,11 @@ Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const 
   for (const NamedFigure& one : figures) {
     if (auto done = writeSvg(inLanguage(one.figure, language), folder + "/figures/" + one.name + ".svg"); !done)
       return done;
+  }
+  for (const Finding& finding : d.findings) {
+    if (finding.rivals.empty()) continue;
+    const std::string path = folder + "/figures/rivals_" + finding.effect + ".svg";
+    if (auto done = writeFile(path, svgWithMade(rivalsSvg(d, finding, language))); !done) return done;
   }
   if (auto done = writeFile(folder + "/figures/gain.svg", svgWithMade(gainSvg(d, language))); !done) return done;
   if (auto done = buildReport(d, bench, recordings, heldout, figures, language).write(folder + "/report.html"); !done)

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/made.h"
+#include "base/typeset.h"
 #include "draw/html_report.h"
 #include "draw/svg_polar.h"
 #include "friction/map_export.h"
@@ -36,7 +37,7 @@ Message numberAndInterval(const RunValue& value) {
 
 std::string percent(const ValueChange& change) {
   if (change.before.value == 0.0) return "";
-  return fmt::format("{:+.3g} %", 100.0 * (change.after.value / change.before.value - 1.0));
+  return typeset(fmt::format("{:+.3g} %", 100.0 * (change.after.value / change.before.value - 1.0)));
 }
 
 Message kindOf(const ProjectRun& run) {

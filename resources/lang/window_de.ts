@@ -1052,7 +1052,7 @@
         <translation>Beobachter w</translation>
     </message>
     <message>
-        <source>Bandwidth of the speed from the encoder's counts: faster lags less, and lets more of their rounding through.</source>
+        <source>Bandwidth of the speed from the encoder&apos;s counts: faster lags less, and lets more of their rounding through.</source>
         <translation>Bandbreite der Geschwindigkeit aus den Inkrementen: schneller hinkt weniger nach und lässt mehr von deren Rundung durch.</translation>
     </message>
     <message>
@@ -1060,7 +1060,7 @@
         <translation>Stromregelung w</translation>
     </message>
     <message>
-        <source>Bandwidth of the current loop: faster follows more closely, and lets more of the sensor's noise into the winding.</source>
+        <source>Bandwidth of the current loop: faster follows more closely, and lets more of the sensor&apos;s noise into the winding.</source>
         <translation>Bandbreite der Stromregelung: schneller folgt enger und lässt mehr vom Rauschen des Sensors in die Wicklung.</translation>
     </message>
     <message>
@@ -2117,12 +2117,16 @@
         <translation>mit Befunden</translation>
     </message>
     <message>
-        <source>Residual force (N) over %1, unseen data, bars 95 %</source>
-        <translation>Restkraft (N) über %1, ungesehene Daten, Balken 95 %</translation>
+        <source>Residual force (N) over %1, unseen data, bands 95 %</source>
+        <translation>Restkraft (N) über %1, ungesehene Daten, Bänder 95 %</translation>
     </message>
     <message>
-        <source>Residual torque (mNm) over %1, unseen data, bars 95 %</source>
-        <translation>Restmoment (mNm) über %1, ungesehene Daten, Balken 95 %</translation>
+        <source>Residual torque (mNm) over %1, unseen data, bands 95 %</source>
+        <translation>Restmoment (mNm) über %1, ungesehene Daten, Bänder 95 %</translation>
+    </message>
+    <message>
+        <source>— the finding&apos;s law</source>
+        <translation>— Gesetz des Befunds</translation>
     </message>
 </context>
 <context>
@@ -2220,6 +2224,10 @@
     <message>
         <source>The residual over this finding&apos;s own axis, before and after</source>
         <translation>Der Rest über der eigenen Achse dieses Befundes, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Error on unseen data with others in its place, lines 95 %</source>
+        <translation>Fehler auf ungesehenen Daten mit anderen an seiner Stelle, Striche 95 %</translation>
     </message>
 </context>
 <context>
@@ -4030,10 +4038,6 @@
         <translation>Angekreuzte zurück</translation>
     </message>
     <message>
-        <source>Parameters that differ</source>
-        <translation>Parameter, die abweichen</translation>
-    </message>
-    <message>
         <source>Parameter</source>
         <translation>Parameter</translation>
     </message>
@@ -4092,6 +4096,10 @@
     <message>
         <source>A profile is a file with the gains, limits and friction table of a board: save this board&apos;s, or see where a saved one differs. Nothing is written unasked.</source>
         <translation>Ein Profil ist eine Datei mit Verstärkungen, Grenzen und Reibungstabelle eines Boards: die dieses Boards speichern, oder sehen, worin sich ein gespeichertes unterscheidet. Nichts wird ungefragt geschrieben.</translation>
+    </message>
+    <message>
+        <source>Parameters of the board, or those that differ from the profile</source>
+        <translation>Parameter des Boards, oder die vom Profil abweichenden</translation>
     </message>
 </context>
 <context>
@@ -4363,6 +4371,29 @@
     <message>
         <source>measured; dashed: %1</source>
         <translation>gemessen; gestrichelt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::RivalBars</name>
+    <message>
+        <source>Error on unseen data, with others in the place of this finding</source>
+        <translation>Fehler auf ungesehenen Daten, mit anderen an der Stelle dieses Befundes</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation> (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source>, which can&apos;t be told from the finding&apos;s</source>
+        <translation>, von dem des Befundes nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>, %1 to %2 times the finding&apos;s</source>
+        <translation>, %1- bis %2-mal der des Befundes</translation>
     </message>
 </context>
 <context>

@@ -91,6 +91,18 @@ void checkRoom(MainWindow& window) {
   window.resize(before);
 }
 
+/// What others in a finding's place err by stands beneath it, whatever the window's size: the finding, each of them,
+/// the base and a perfect model.
+void checkRivals(Desk& desk, const Diagnosis& diagnosis) {
+  for (const Finding& finding : diagnosis.findings) {
+    auto* bars = desk.window.findChild<QWidget*>("rivals_" + QString::fromStdString(finding.effect));
+    QCOMPARE(bars != nullptr, !finding.rivals.empty());
+    if (bars == nullptr) continue;
+    QCOMPARE(bars->toolTip().count('\n'), static_cast<qsizetype>(finding.rivals.size()) + 2);
+    QVERIFY(bars->width() >= bars->minimumSizeHint().width());
+  }
+}
+
 /// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can
 /// be shown.
 void checkDiagnosis(Desk& desk) {
@@ -123,6 +135,9 @@ void checkDiagnosis(Desk& desk) {
     QCOMPARE(desk.session.comparison.evidence()->effect, one.effect);
     QVERIFY(named<QWidget>(desk.window, "evidencePlot")->isVisible());
   }
+  checkRivals(desk, diagnosis);
+  for (const Evidence& one : desk.session.comparison.evidences())
+    QCOMPARE(one.law.at.empty(), diagnosis.findings.empty());
   checkRoom(desk.window);
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));

@@ -208,6 +208,18 @@ void TestLook::numbers_areReadable() {
   QCOMPARE(numberText(0.0), QString("0"));
   QCOMPARE(numberText(-0.0), QString("0"));
   QCOMPARE(numberText(std::nan("")), QString("–"));
+  QCOMPARE(numberText(-0.25), QString("−0.250"));
+  QCOMPARE(numberText(-14400.0), QString("−14\u202f400"));
+  QCOMPARE(numberText(-3.1e-5, 2), QString("−3.1·10⁻⁵"));
+  QCOMPARE(plainText(0.02), QString("0.02"));
+  QCOMPARE(plainText(24.0), QString("24"));
+  QCOMPARE(plainText(-65536.0), QString("−65\u202f536"));
+  QCOMPARE(plainText(0.123456), QString("0.1235"));
+  for (const double value : {-3.1e-5, 14400.0, -2.5, 0.0, 1.25e7}) QCOMPARE(numberIn(plainText(value)).value(), value);
+  QCOMPARE(numberIn(" 2,5 ").value(), 2.5);
+  QVERIFY(!numberIn("2 V") && !numberIn({}));
+  QCOMPARE(fixedText(-0.001, 2), QString("0.00"));
+  QCOMPARE(fixedText(-1.5, 1), QString("−1.5"));
   QCOMPARE(steadyNumber(-0.0004, 0.2), QString("0.000"));
   QCOMPARE(steadyNumber(1.23456, 1.0), QString("1.23"));
   QCOMPARE(estimateText({0.017, 0.00003}, 1e3, "mNm"), QString("17.00 ± 0.06 mNm"));

@@ -3,13 +3,19 @@
 #include <cmath>
 
 #include "base/statistics.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/preparation.h"
 #include "diagnose/verdict/block_maps.h"
+#include "diagnose/verdict/explained.h"
 #include "diagnose/verdict/foretelling.h"
 #include "diagnose/verdict/next_experiment.h"
 #include "diagnose/verdict/proof.h"
 #include "diagnose/verdict/where.h"
 #include "diagnose/verdict/worth_saying.h"
 #include "support/known_servo.h"
+#include "support/recorded_rig.h"
+#include "support/temporary.h"
+#include "support/within.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -86,6 +92,7 @@ class TestWhere : public QObject {
   void rivals_getOneExperimentThatTellsThemApart();
   void nothingMissing_namesWhatThisRecordingCouldNotShow();
   void outsideCatalogue_looksCloserAtThePlace();
+  void whatFindingsSay_isTheirLawOverTheMap();
 };
 
 void TestWhere::shiftInOneCell_isSignificant_noiseIsNot() {
@@ -140,7 +147,7 @@ void TestWhere::stretchOverZero_isOnePlace() {
   map.orders = {{1, 4e-4}, {2, 4e-4}, {3, 3e-4}};
   const auto found = places({map}, Model{});
   QCOMPARE(found.front().sentence,
-           std::string("The axis needs 1.8 mNm more than the model between -25° and 30°, both ways."));
+           std::string("The axis needs 1.8 mNm more than the model between −25° and 30°, both ways."));
 }
 
 void TestWhere::insignificantMap_isNoPlace() {
@@ -304,6 +311,44 @@ void TestWhere::outsideCatalogue_looksCloserAtThePlace() {
       QString::fromStdString(nextExperiment(Verdict::outsideCatalogue, {}, where, {}, rotaryMotion()).sentence);
   QVERIFY2(sentence.startsWith("Move to and fro between 40° and 95°, slowly at 6 rad/s and again at 20 rad/s"),
            qPrintable(sentence));
+}
+
+/// A constant load is the same at every speed; more viscous friction a base model takes up by itself, and nothing is
+/// left of it. Where a map knows nothing, neither does the law.
+void TestWhere::whatFindingsSay_isTheirLawOverTheMap() {
+  constexpr double load_Nm = 0.005, more = 1e-4, filtered_rad_per_s = 2.0;
+  const auto rig = recordRig({.seconds = 12.0});
+  const auto prepared = prepare(rig.bench, {rig.recording}, {}, 0.5);
+  VERIFY_OK(prepared);
+  const Model base = servoModel(DriveInput::voltage);
+  const auto maps = residualMaps(base, prepared->training, 1);
+  const auto over = std::find_if(maps.begin(), maps.end(), [](const ResidualMap& map) {
+    return map.axis == "velocity" && map.shows == Unknown::torque;
+  });
+  QVERIFY(over != maps.end());
+  ResidualMap map = *over;
+  const size_t unknown = map.mean.size() / 4;
+  map.mean[unknown] = std::nan("");
+  Model loaded = base, viscous = base;
+  loaded.effects.push_back(effectTerm(*findEffect("constant_load"), {load_Nm}));
+  for (Parameter& one : viscous.base) one.value += one.name == "viscous_Nm_s_per_rad" ? more : 0.0;
+  const Course law = explainedOver(map, base, loaded, prepared->training);
+  const Course none = explainedOver(map, base, viscous, prepared->training);
+  QVERIFY2(law.at.size() > map.centre.size(), qPrintable(QString::number(law.at.size())));
+  QCOMPARE(none.at, law.at);
+  const double from = map.centre[unknown] - 0.5 * map.width[unknown], to = from + map.width[unknown];
+  bool gap = false;
+  for (size_t k = 0; k < law.at.size(); ++k) {
+    const bool inside = law.at[k] > from && law.at[k] < to;
+    QCOMPARE(std::isfinite(law.value[k]), !inside);
+    gap = gap || inside;
+    // Next to standstill the maps' filter holds what is no motion, too.
+    if (inside || std::abs(law.at[k]) < filtered_rad_per_s) continue;
+    const QString where = QString("%1 and %2 at %3").arg(law.value[k]).arg(none.value[k]).arg(law.at[k]);
+    QVERIFY2(within(law.value[k], load_Nm, 0.2), qPrintable(where));
+    QVERIFY2(std::abs(none.value[k]) < 0.02 * more * map.centre.back(), qPrintable(where));
+  }
+  QVERIFY(gap);
 }
 
 QTEST_APPLESS_MAIN(TestWhere)

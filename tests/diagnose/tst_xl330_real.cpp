@@ -4,6 +4,7 @@
 
 #include "diagnose/diagnosed.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/effects/catalogue.h"
 #include "recording/csv.h"
 #include "support/real_recordings.h"
 #include "support/sanitized.h"
@@ -44,7 +45,8 @@ void TestXl330Real::gearAndIron_areBothNamed() {
   QVERIFY(diagnosis->fit.heldoutAfter < 0.5 * diagnosis->fit.heldoutBefore);
 }
 
-/// Friction that grows with the load is tried in the place of others in two shapes.
+/// Friction that grows with the load is tried in the place of others in two shapes. What held-out data say of each
+/// rival comes with it.
 void TestXl330Real::rival_isListedOnce() {
   NEEDS_REAL_RECORDINGS();
   if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
@@ -56,6 +58,11 @@ void TestXl330Real::rival_isListedOnce() {
   for (const Finding& finding : diagnosis->findings) {
     const std::set<std::string> each(finding.ambiguousWith.begin(), finding.ambiguousWith.end());
     QCOMPARE(each.size(), finding.ambiguousWith.size());
+    for (const std::string& name : finding.ambiguousWith) {
+      const auto scored = std::count_if(finding.rivals.begin(), finding.rivals.end(),
+                                        [&name](const RivalScore& one) { return one.effect == name; });
+      QVERIFY2(scored == (name == findEffect(finding.effect)->twin() ? 0 : 1), name.c_str());
+    }
   }
 }
 

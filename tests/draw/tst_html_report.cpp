@@ -62,10 +62,11 @@ void TestHtmlReport::numbers_areShort_data() {
   QTest::newRow("0") << 0.0 << "0";
   QTest::newRow("4 digits") << 0.0123456 << "0.01235";
   QTest::newRow("whole") << 95.1089 << "95.11";
-  QTest::newRow("thousands") << 24841.0 << "24841";
-  QTest::newRow("small") << -3.1e-5 << "-3.1e-05";
-  QTest::newRow("small, whole") << 2e-6 << "2e-06";
-  QTest::newRow("large") << 1.25e7 << "1.25e+07";
+  QTest::newRow("thousands") << 24841.0 << "24\u202f841";
+  QTest::newRow("a whole number of thousands") << -2000.0 << "\u22122000";
+  QTest::newRow("small") << -3.1e-5 << "\u22123.1·10⁻⁵";
+  QTest::newRow("small, whole") << 2e-6 << "2·10⁻⁶";
+  QTest::newRow("large") << 1.25e7 << "1.25·10⁷";
 }
 
 void TestHtmlReport::numbers_areShort() {

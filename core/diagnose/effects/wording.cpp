@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/numbers.h"
+#include "base/typeset.h"
 
 namespace breakaway {
 
@@ -14,7 +15,7 @@ std::string withPrefix(double value, const char* unit) {
   const double size = std::abs(value);
   const double scale = size >= 1.0 || size == 0.0 ? 1.0 : size >= 1e-3 ? 1e3 : 1e6;
   const char* prefix = scale == 1.0 ? "" : scale == 1e3 ? "m" : "µ";
-  return fmt::format("{:.3g} {}{}", value * scale, prefix, unit);
+  return digitsText(value * scale) + " " + prefix + unit;
 }
 
 }  // namespace
@@ -39,16 +40,17 @@ std::string speedText(double value, Axis axis) {
   return axis == Axis::rotary ? digitsText(value) + " rad/s" : withPrefix(value, "m/s");
 }
 std::string angleText(double value_rad) {
-  return fmt::format("{:.0f}°", value_rad * 180.0 / std::numbers::pi);
+  return typeset(fmt::format("{:.0f}°", value_rad * 180.0 / std::numbers::pi));
 }
 std::string lengthText(double value_m) {
   return withPrefix(value_m, "m");
 }
 std::string percentText(double fraction) {
-  return fmt::format("{:.0f} %", fraction * 100.0);
+  return typeset(fmt::format("{:.0f} %", fraction * 100.0));
 }
 std::string digitsText(double value) {
-  return fmt::format("{:.3g}", value);
+  const double size = std::abs(value);
+  return typeset(size >= 999.5 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value));
 }
 Message wayText(double sign, Axis axis) {
   if (axis == Axis::rotary) return sign > 0.0 ? message("counter-clockwise") : message("clockwise");

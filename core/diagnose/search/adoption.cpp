@@ -228,9 +228,13 @@ bool Adoption::mayStillSwing(const Effect* load) const {
 void Adoption::listOtherLoads(SearchResult& result) const {
   for (Chosen& one : result.chosen) {
     if (!isLikely(one.effect)) continue;
-    for (const Effect* other : likelyLoads_) {
-      const bool listed = std::find(one.rivals.begin(), one.rivals.end(), other) != one.rivals.end();
-      if (other != one.effect && !listed) one.rivals.push_back(other);
+    for (const InPlace& other : likelyLoads_) {
+      if (other.effect == one.effect) continue;
+      const bool listed = std::find(one.rivals.begin(), one.rivals.end(), other.effect) != one.rivals.end();
+      if (!listed) one.rivals.push_back(other.effect);
+      const bool tried = std::any_of(one.tried.begin(), one.tried.end(),
+                                     [&other](const InPlace& known) { return known.effect == other.effect; });
+      if (!tried) one.tried.push_back(other);
     }
   }
 }
@@ -272,19 +276,19 @@ void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<
 void Adoption::adoptLoad(SearchResult& result, const Screen& screen) {
   loadsTried_ = true;
   if (!fits_.loadsAreTried()) return;
-  std::vector<std::pair<const Effect*, double>> left;  // squared errors
+  std::vector<InPlace> left;
   const SwingingLoads loads(input_, fits_.worth(), result.base.model);
   for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
     FitResult fit = loads.fitted(pick);
     if (!fit.usable || !fits_.helps(result.base, fit)) continue;
     const double own = mean(fit.windowSquares);
-    left.emplace_back(pick.effect, own);
+    left.push_back({pick.effect, fit.model, own});
     if (own >= mean(result.best.windowSquares)) continue;
     result.best = std::move(fit);
     result.chosen = {{pick.effect, limits_.largestPValue, 0.0, {}}};
   }
-  for (const auto& [effect, own] : left) {
-    if (limits_.farLess * own < mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
+  for (InPlace& one : left) {
+    if (limits_.farLess * one.square < mean(result.best.windowSquares)) likelyLoads_.push_back(std::move(one));
   }
 }
 
@@ -313,7 +317,8 @@ const Adoption::Wandering& Adoption::wandering(const SearchResult& base) {
 }
 
 bool Adoption::isLikely(const Effect* load) const {
-  return std::find(likelyLoads_.begin(), likelyLoads_.end(), load) != likelyLoads_.end();
+  return std::any_of(likelyLoads_.begin(), likelyLoads_.end(),
+                     [load](const InPlace& one) { return one.effect == load; });
 }
 
 }  // namespace breakaway

@@ -64,8 +64,8 @@ class Adoption {
   const Criteria& limits_;
   SetFits& fits_;
   const LinearRig& wanderingRig_;
-  std::optional<Wandering> wandering_;      ///< once asked for
-  std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
+  std::optional<Wandering> wandering_;  ///< once asked for
+  std::vector<InPlace> likelyLoads_;    ///< that swing, as adoptLoad() found
   bool loadsTried_ = false;
 };
 

@@ -292,18 +292,27 @@ std::vector<double> polishWeights(const SearchInput& input, const Model& base, c
   return robustWeights(residualSquares(restsOnFew ? model : base, input.tracks, input.split.polish));
 }
 
+static FitOptions polishOptions(const SearchInput& input, bool slow, const std::vector<double>& windowWeights) {
+  return {.iterations = slow ? 4 : 6,
+          .tolerance = slow ? 1e-3 : 3e-5,
+          .exact = !slow,
+          .windowWeights = slow ? input.windowWeights : windowWeights,
+          .weights = {},
+          .stop = input.stop};
+}
+
+FitResult refineModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  if (remembers(model)) return fitModel(input, model, 4);
+  return fitWindows(vectorOf(input, model, true), input.tracks, input.split.polish,
+                    polishOptions(input, false, windowWeights));
+}
+
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  FitResult fit = refineModel(input, model, windowWeights);
+  if (!(fit.rmse < input.adequate)) return fit;
   const bool slow = remembers(model);
   const std::vector<Window>& windows = slow ? input.split.train : input.split.polish;
-  FitOptions options{.iterations = slow ? 4 : 6,
-                     .tolerance = slow ? 1e-3 : 3e-5,
-                     .exact = !slow,
-                     .windowWeights = slow ? input.windowWeights : windowWeights,
-                     .weights = {},
-                     .stop = input.stop};
-  FitResult fit =
-      slow ? fitModel(input, model, 4) : fitWindows(vectorOf(input, model, true), input.tracks, windows, options);
-  if (!(fit.rmse < input.adequate)) return fit;
+  FitOptions options = polishOptions(input, slow, windowWeights);
   profileSizes(fit, [&](const Model& start, size_t effect, const Weights& weights) {
     options.weights = weights;
     options.iterations = 20;  // one that came to no end would seem to err more than it has to

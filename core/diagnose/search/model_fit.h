@@ -107,7 +107,9 @@ bool growsAtRest(const Model& model);
 /// or those in which the model itself does, if it holds what happens once or grows at rest, and rests on them.
 std::vector<double> polishWeights(const SearchInput& input, const Model& base, const Model& model);
 
-/// The last refinement, on the overlapping windows.
+/// The last refinement's fit, on the overlapping windows.
+FitResult refineModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights);
+/// The last refinement: the same, with bounds of sizes by profile.
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});
 
 /// The effects named, each at its best shape by the screen, fitted together with the base.

@@ -36,6 +36,15 @@ bool lists(const Chosen& chosen, const Effect* rival) {
   return std::find(chosen.rivals.begin(), chosen.rivals.end(), rival) != chosen.rivals.end();
 }
 
+/// Another effect in the place of the k-th chosen one, which has been tried then.
+void takePlace(SearchResult& result, size_t k, const Effect& other, FitResult fit) {
+  Chosen& chosen = result.chosen[k];
+  chosen.keepTried(chosen.effect, result.best);
+  std::erase_if(chosen.tried, [&other](const InPlace& one) { return one.effect == &other; });
+  chosen.effect = &other;
+  result.best = std::move(fit);
+}
+
 }  // namespace
 
 /// Adds the effect's best shape beside the others, if it has any.
@@ -127,6 +136,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   if (!fit.usable || !possible(fit.model, input_.seen)) return;
   const auto errors = fits_.worth().validated(fit);
   if (!std::isfinite(mean(errors))) return;
+  chosen.keepTried(rival.effect, fit);
   const Comparison ahead = compare(errors, best, input_.seed);
   // If errors are skewed, the t-value misses a clear difference; the sign-flip test sees it.
   const bool clearlyWorse =
@@ -172,8 +182,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
     std::erase(chosen.rivals, rival.effect);
     chosen.rivals.push_back(chosen.effect);
   }
-  chosen.effect = rival.effect;
-  result.best = std::move(fit);
+  takePlace(result, k, *rival.effect, std::move(fit));
   best = errors;
 }
 
@@ -199,7 +208,9 @@ void Rivals::weighAlone(SearchResult& result) const {
     const FitResult rival = aloneWith(pick);
     if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
     // Both are single effects, so that their errors can be compared as they are.
-    if (mean(rival.windowSquares) <= *own) first.rivals.push_back(alike);
+    if (mean(rival.windowSquares) > *own) continue;
+    first.rivals.push_back(alike);
+    first.keepTried(alike, rival);
   }
 }
 
@@ -235,11 +246,11 @@ void Rivals::askVoltage(SearchResult& result, size_t k, const Effect& offset) co
       (apart > limits_.farApart && !(there && shown->value_A / needed.value > limits_.half)))
     return;
   if (there && apart <= limits_.farApart) {
-    chosen.effect = &offset;
     chosen.rivals.clear();
-    result.best = std::move(fit);
-  } else if (!lists(chosen, &offset)) {
-    chosen.rivals.push_back(&offset);
+    takePlace(result, k, offset, std::move(fit));
+  } else {
+    chosen.keepTried(&offset, fit);
+    if (!lists(chosen, &offset)) chosen.rivals.push_back(&offset);
   }
 }
 

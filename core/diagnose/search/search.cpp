@@ -19,6 +19,16 @@
 
 namespace breakaway {
 
+void Chosen::keepTried(const Effect* other, const FitResult& fit) {
+  const double square = mean(fit.windowSquares);
+  const auto known =
+      std::find_if(tried.begin(), tried.end(), [other](const InPlace& one) { return one.effect == other; });
+  if (known == tried.end())
+    tried.push_back({other, fit.model, square});
+  else if (square < known->square)
+    *known = {other, fit.model, square};
+}
+
 bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
   return std::any_of(chosen.begin(), chosen.end(), [effect](const Chosen& one) { return same(one.effect, effect); });
 }

@@ -11,11 +11,21 @@
 
 namespace breakaway {
 
+/// What an effect made of the training windows in the place of another one.
+struct InPlace {
+  const Effect* effect = nullptr;
+  Model model;
+  double square = 0.0;  ///< mean squared error that it left, rad² or m²
+};
+
 struct Chosen {
   const Effect* effect = nullptr;
   double pValue = 1.0;                ///< family-wise
   double marginal = 0.0;              ///< squared error that comes back when it is left out, rad² or m²
   std::vector<const Effect*> rivals;  ///< others that do about as well in its place; twins included
+  std::vector<InPlace> tried = {};    ///< all that were fitted in its place, each at its best
+
+  void keepTried(const Effect* other, const FitResult& fit);
 };
 
 /// Whether an effect, or its twin, is among the chosen ones.

@@ -13,6 +13,10 @@ const std::string* realRival(const Finding& finding) {
   return real == rivals.end() ? nullptr : &*real;
 }
 
+bool errsAlike(const RivalScore& rival) {
+  return rival.ratioLow95 <= 1.0 && rival.ratioHigh95 >= 1.0;
+}
+
 bool allHappenOnce(const std::vector<Finding>& findings) {
   return std::all_of(findings.begin(), findings.end(),
                      [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/statistics.h"
+
 namespace breakaway {
 
 /// RMSE of the position, or of the speed where that alone was measured, over windows that restart every window_s, as
@@ -13,6 +15,7 @@ struct FitScore {
   double window_s = 0.5;
   double trainBefore = 0.0, trainAfter = 0.0;
   double heldoutBefore = 0.0, heldoutAfter = 0.0;
+  Interval before95, after95;  ///< of the held-out errors
   double improvementLow95 = 0.0, improvementHigh95 = 0.0;
   bool separateRecording = false;
   double floor = 0.0;            ///< of a perfect model, given sensors and restarts

@@ -13,6 +13,7 @@
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/proof.h"
+#include "diagnose/verdict/rival_scores.h"
 #include "diagnose/verdict/worth_saying.h"
 
 namespace breakaway {
@@ -38,6 +39,8 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
              after = scoreWindows(best, tracks, split.heldoutScore);
   fit.heldoutBefore = std::sqrt(mean(before));
   fit.heldoutAfter = std::sqrt(mean(after));
+  fit.before95 = errorInterval(before, seed);
+  fit.after95 = errorInterval(after, seed);
   const Interval interval = bootstrap(before.size(), 2000, seed, [&](std::span<const size_t> blocks) {
     double sumBefore = 0.0, sumAfter = 0.0;
     for (const size_t block : blocks) {
@@ -207,7 +210,7 @@ class Judge {
         drop(candidate, candidate.chosen.begin() + *idle);
         continue;
       }
-      if (opinion == Opinion::stands) return judgement;
+      if (opinion == Opinion::stands) return withRivals(std::move(judgement), candidate);
       if (opinion == Opinion::falls) break;
       if (dropSmallestWave(candidate)) {
         refused = true;
@@ -217,6 +220,12 @@ class Judge {
       drop(candidate, leastOf(candidate));
     }
     return std::nullopt;
+  }
+
+  Judgement withRivals(Judgement judgement, const SearchResult& candidate) const {
+    for (size_t k = 0; k < judgement.findings.size(); ++k)
+      judgement.findings[k].rivals = rivalScores(candidate.chosen[k], candidate, judgement.model, prepared_, input_);
+    return judgement;
   }
 
   double before() const { return typicalSquare(errorsBefore_); }
