@@ -18,6 +18,7 @@ namespace {
 
 constexpr int nameRole = Qt::UserRole;  ///< of the file
 constexpr int usualDigits = 4, mostDigits = 9;
+constexpr int leastTable_px = 24;
 constexpr int profileColumn = 2, acceptedColumn = 3;
 
 /// Of a parameter by its name in the file, or of the friction table, which has neither unit nor scale.
@@ -60,6 +61,7 @@ ProfilePanel::ProfilePanel(const Connection& connection, ProfileComparison& prof
   table_ = readTable(this, "profileTable", tr("Parameters of the board, or those that differ from the profile"),
                      {tr("Parameter"), tr("Board"), tr("Profile"), tr("Accepted")});
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table_->setMinimumHeight(leastTable_px);  // it scrolls: beside the live plots there is little room
   column->addWidget(table_, 100);
   column->addStretch(1);
   connect(save_, &QPushButton::clicked, this, [this] {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr size_t mostScored = 4;  ///< beside those that the finding can't be told from
 constexpr size_t draws = 2000;
-constexpr int lastIterations = 4;
 
 /// `best` with what was tried in the place of an effect: its terms, and the base beside which it was fitted.
 Model inPlaceOf(const Effect& effect, const InPlace& other, const Model& best) {
@@ -60,13 +59,15 @@ std::vector<RivalScore> rivalScores(const Chosen& chosen, const SearchResult& fo
   const std::vector<double> own = scoreWindows(best, prepared.tracks, windows);
   std::vector<RivalScore> scores;
   for (const InPlace* other : toScore(chosen)) {
-    const Model start = inPlaceOf(*chosen.effect, *other, best);
-    // What is far behind needn't be brought as far as can be, which takes long.
-    const FitResult fit = isRival(other, chosen)
-                              ? refineModel(input, start, polishWeights(input, found.base.model, start))
-                              : fitModel(input, start, lastIterations);
-    if (!fit.usable || input.stop.stop_requested()) continue;
-    const Model model = withinSeen(fit.model, prepared.tracks, prepared.split);
+    // What is far behind needn't be brought as far as can be, which takes long: it stays as it was tried.
+    Model model = other->model;
+    if (isRival(other, chosen)) {
+      const Model start = inPlaceOf(*chosen.effect, *other, best);
+      const FitResult fit = refineModel(input, start, polishWeights(input, found.base.model, start));
+      if (!fit.usable || input.stop.stop_requested()) continue;
+      model = fit.model;
+    }
+    model = withinSeen(std::move(model), prepared.tracks, prepared.split);
     const std::vector<double> squares = scoreWindows(model, prepared.tracks, windows);
     const double error = std::sqrt(mean(squares));
     if (!std::isfinite(error)) continue;
