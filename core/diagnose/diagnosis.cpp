@@ -76,9 +76,9 @@ class Diagnoser {
             const DiagnoseOptions& options)
       : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  /// By errors in motion, unless these would lead astray. Where nothing is found, over shorter windows too if what
-  /// wanders may hide it: that moves a rotor by the second power of their length, and an encoder's fault or a wave by
-  /// less.
+  /// By errors in motion, unless these would lead astray. Where nothing is found that regression beside a wandering
+  /// torque still asks for, over shorter windows too, if the wander may hide it there: that moves a rotor by the second
+  /// power of their length, and an encoder's fault or a wave by less.
   Result<Attempt> attempt(HeldOut part) const {
     auto made = attempt(part, {ErrorIn::motion, options_.window_s}, true);
     if (!made || !made->hiddenByWander) return made;
@@ -116,7 +116,8 @@ class Diagnoser {
     }
     diagnosis.firstNames = std::move(firstNames);
     diagnosis.named_s = named_s ? *named_s : elapsed_s();
-    made.hiddenByWander = mayChange && diagnosis.findings.empty() && rest.hiddenByWander(options_.criteria);
+    made.hiddenByWander =
+        mayChange && diagnosis.findings.empty() && found->besideWander && rest.hiddenByWander(options_.criteria);
     findPlaces(rest, diagnosis.model, *prepared, options_.seed);
     diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
     addPlaces(diagnosis, rest, *prepared);

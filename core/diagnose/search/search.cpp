@@ -91,6 +91,7 @@ class Search {
     const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
     const Further further(input_, *fits_, screen, adoption);
     for (int more = 0; more < mostFurther && further.find(result, found.chosen); ++more) backward(result);
+    result.besideWander = adoption.findsBesideWander();
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
