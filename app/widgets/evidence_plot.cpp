@@ -93,8 +93,7 @@ void EvidencePlot::draw() {
   title_->setFont(typed(Type::caption));
   title_->setVisible(evidence != nullptr);
   const bool law = evidence != nullptr && !evidence->law.at.empty();
-  const std::array<QString, 3> names{tr("base model"), law ? tr("— the finding's law") : QString(),
-                                     tr("with findings")};
+  const std::array<QString, 3> names{tr("base model"), law ? tr("— its law") : QString(), tr("with findings")};
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setText(names[k]);
     names_[k]->setTextColor(look.curve(k == 2 ? 0 : 1));
@@ -121,8 +120,8 @@ void EvidencePlot::draw() {
 void EvidencePlot::showTitle() {
   const Evidence* evidence = comparison_.evidence();
   if (evidence == nullptr) return;
-  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen data, bands 95 %")
-                                          : tr("Residual torque (mNm) over %1, unseen data, bands 95 %"))
+  const QString title = (evidence->linear ? tr("Residual force (N) over %1, unseen, bands 95 %")
+                                          : tr("Residual torque (mNm) over %1, unseen, bands 95 %"))
                             .arg(shownAxis(evidence->axis, evidence->linear).label());
   const QString whole = evidence->effect.empty() ? title : effectTitle(evidence->effect) + ": " + title;
   int room_px = width();

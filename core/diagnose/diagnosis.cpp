@@ -24,8 +24,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double shorterPart = 0.2;  ///< of the usual window
-constexpr size_t fewestFarOff = 2;   ///< held-out windows that tell of something that the others don't show
+constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
 
 Message heldoutRemark(size_t far, size_t windows, const Criteria& criteria) {
   return message(
@@ -66,7 +65,6 @@ struct Attempt {
   /// once.
   size_t farOff = 0;
   std::optional<Message> runAway;  ///< the base model did, and nothing was found
-  bool hiddenByWander = false;     ///< nothing was found, and over these windows a torque that wanders hides much
 };
 
 /// One diagnosis, with its clocks running.
@@ -76,15 +74,8 @@ class Diagnoser {
             const DiagnoseOptions& options)
       : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  /// By errors in motion, unless these would lead astray. Where nothing is found that regression beside a wandering
-  /// torque still asks for, over shorter windows too, if the wander may hide it there: that moves a rotor by the second
-  /// power of their length, and an encoder's fault or a wave by less.
-  Result<Attempt> attempt(HeldOut part) const {
-    auto made = attempt(part, {ErrorIn::motion, options_.window_s}, true);
-    if (!made || !made->hiddenByWander) return made;
-    const auto shorter = attempt(part, {ErrorIn::motion, shorterPart * options_.window_s}, false);
-    return shorter && !shorter->diagnosis.findings.empty() ? shorter : made;
-  }
+  /// By errors in motion, unless these would lead astray.
+  Result<Attempt> attempt(HeldOut part) const { return attempt(part, {ErrorIn::motion, options_.window_s}, true); }
 
   Result<Attempt> attempt(HeldOut part, const Counting& counting, bool mayChange) const {
     const auto prepared =
@@ -116,8 +107,6 @@ class Diagnoser {
     }
     diagnosis.firstNames = std::move(firstNames);
     diagnosis.named_s = named_s ? *named_s : elapsed_s();
-    made.hiddenByWander =
-        mayChange && diagnosis.findings.empty() && found->besideWander && rest.hiddenByWander(options_.criteria);
     findPlaces(rest, diagnosis.model, *prepared, options_.seed);
     diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
     addPlaces(diagnosis, rest, *prepared);

@@ -2117,16 +2117,16 @@
         <translation>mit Befunden</translation>
     </message>
     <message>
-        <source>Residual force (N) over %1, unseen data, bands 95 %</source>
-        <translation>Restkraft (N) über %1, ungesehene Daten, Bänder 95 %</translation>
+        <source>Residual force (N) over %1, unseen, bands 95 %</source>
+        <translation>Restkraft (N) über %1, ungesehen, Bänder 95 %</translation>
     </message>
     <message>
-        <source>Residual torque (mNm) over %1, unseen data, bands 95 %</source>
-        <translation>Restmoment (mNm) über %1, ungesehene Daten, Bänder 95 %</translation>
+        <source>Residual torque (mNm) over %1, unseen, bands 95 %</source>
+        <translation>Restmoment (mNm) über %1, ungesehen, Bänder 95 %</translation>
     </message>
     <message>
-        <source>— the finding&apos;s law</source>
-        <translation>— Gesetz des Befunds</translation>
+        <source>— its law</source>
+        <translation>— Gesetz</translation>
     </message>
 </context>
 <context>

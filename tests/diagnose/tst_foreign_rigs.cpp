@@ -37,7 +37,6 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a delay that inertia could stand in for, but for no more than half of it") << "transport_delay" << 46;
   QTest::newRow("a push that stands out, though all other stretches err, too") << "external_disturbance" << 54;
   QTest::newRow("contacts that yield, which only simulation finds") << "presliding" << 47;
-  QTest::newRow("a disc off centre, beside torque that wanders") << "encoder_eccentricity" << 57;
 }
 
 void TestForeignRigs::rig_getsItsAnswer() {

@@ -32,8 +32,6 @@ class Adoption {
   /// tells waves of several orders better, and that screening; null if that is no better.
   const Screening* extend(SearchResult& result);
 
-  /// Whether the screen finds anything if the torque wanders, as far as it was asked.
-  bool findsBesideWander() const { return wandering_ && !wandering_->screening.found.chosen.empty(); }
   /// Whether a load is worth trying beside others: what one that did nothing alone takes from what others leave is
   /// hardly its own.
   bool mayStillSwing(const Effect* load) const;

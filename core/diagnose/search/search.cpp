@@ -62,11 +62,11 @@ class Search {
       if (result.counting) return result;
     }
     fits_.emplace(input_, result.base);
+    result.adequate = input_.adequate = limits().farOff * worth().floor();
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
     result.leftByBase = wanderingRig.wander();
     fits_->weighRestarts(result.leftByBase);
-    result.adequate = input_.adequate = limits().farOff * fits_->tolerated();
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, message("simulating what was found"));
     Adoption adoption(input_, *fits_, wanderingRig);
@@ -91,7 +91,6 @@ class Search {
     const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
     const Further further(input_, *fits_, screen, adoption);
     for (int more = 0; more < mostFurther && further.find(result, found.chosen); ++more) backward(result);
-    result.besideWander = adoption.findsBesideWander();
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};

@@ -40,9 +40,8 @@ struct SearchResult {
   /// Whose place the only effect took, and the fits with them, the latest last: the better names if its size, in the
   /// end, says nothing.
   std::vector<std::pair<Chosen, FitResult>> displaced = {};
-  bool besideWander = false;  ///< beside a base model whose torque wanders, regression still finds something
-  TorqueNoise left;           ///< what base and chosen leave, taken for a torque that wanders
-  TorqueNoise leftByBase;     ///< what the base leaves
+  TorqueNoise left;        ///< what base and chosen leave, taken for a torque that wanders
+  TorqueNoise leftByBase;  ///< what the base leaves
   double adequate = std::numeric_limits<double>::infinity();  ///< SearchInput::adequate
 };
 

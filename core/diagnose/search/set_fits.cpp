@@ -22,11 +22,14 @@ SetFits::SetFits(const SearchInput& input, const FitResult& base)
 
 void SetFits::weighRestarts(const TorqueNoise& left) {
   const double coulomb = physicsOf(base_.model).coulomb;
+  if (left.rms > mostWander(coulomb, input_.seen.peakTorque, limits_)) {
+    loadsMayShow_ = true;
+    return;
+  }
   const FrictionScatter scatter = usualScatter(input_.seen, coulomb, left, limits_);
-  tolerated_ = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
+  const double tolerated = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
   const double typical = typicalSquare(scoreWindows(base_.model, input_.tracks, input_.split.trainScore));
-  loadsMayShow_ = left.rms > mostWander(coulomb, input_.seen.peakTorque, limits_) ||
-                  typical > std::pow(limits_.nearFloor * tolerated_, 2);
+  loadsMayShow_ = typical > std::pow(limits_.nearFloor * tolerated, 2);
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {

@@ -16,8 +16,6 @@ class SetFits {
   /// Finds loadsMayShow(). `left`: what the base model leaves, taken for a torque that wanders.
   void weighRestarts(const TorqueNoise& left);
   const Worth& worth() const { return worth_; }
-  /// What a perfect model errs by, rms, where the torque wanders as on a sound rig. Known once restarts are weighed.
-  double tolerated() const { return tolerated_; }
   /// Whether restarts of the base model err by more than sensors and scattering friction explain: only then can a load
   /// that swings or flies be there.
   bool loadsMayShow() const { return loadsMayShow_; }
@@ -47,7 +45,6 @@ class SetFits {
   const FitResult& base_;
   double restarts_;  ///< mean squared error of the base model's
   Worth worth_;
-  double tolerated_ = 0.0;
   bool loadsMayShow_ = false, expected_ = false;
 };
 

@@ -167,10 +167,6 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
   return rest;
 }
 
-bool Remainder::hiddenByWander(const Criteria& criteria) const {
-  return aboveFloor && floors.withWander > criteria.nearFloor * floors.perfect;
-}
-
 bool Remainder::outside() const {
   return muchIsLeft && (wanders || !where.empty());
 }

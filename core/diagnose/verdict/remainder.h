@@ -39,8 +39,6 @@ struct Remainder {
   double part = 1.0;       ///< what is left of the base model's excess, whatever is usual
   bool muchIsLeft = true;  ///< more of it than any rig may lack
 
-  /// Whether windows err by more than their sensors, and a wandering torque makes them err by far more.
-  bool hiddenByWander(const Criteria& criteria) const;
   /// Whether something is missing that the model doesn't have: there is evidence, and findings leave enough of it.
   bool outside() const;
 };
