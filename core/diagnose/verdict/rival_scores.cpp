@@ -35,6 +35,7 @@ bool isRival(const InPlace* one, const Chosen& chosen) {
 /// Those that are listed as rivals, and of the others the best few.
 std::vector<const InPlace*> toScore(const Chosen& chosen) {
   std::vector<const InPlace*> all;
+  all.reserve(chosen.tried.size());
   for (const InPlace& one : chosen.tried) all.push_back(&one);
   const auto rivals =
       std::stable_partition(all.begin(), all.end(), [&chosen](const InPlace* one) { return isRival(one, chosen); });
