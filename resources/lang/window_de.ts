@@ -2118,11 +2118,11 @@
     </message>
     <message>
         <source>Residual force (N) over %1, unseen, bands 95 %</source>
-        <translation>Restkraft (N) über %1, ungesehen, Bänder 95 %</translation>
+        <translation>Rest (N) über %1, Bänder 95 %</translation>
     </message>
     <message>
         <source>Residual torque (mNm) over %1, unseen, bands 95 %</source>
-        <translation>Restmoment (mNm) über %1, ungesehen, Bänder 95 %</translation>
+        <translation>Rest (mNm) über %1, Bänder 95 %</translation>
     </message>
     <message>
         <source>— its law</source>
