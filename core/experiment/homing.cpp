@@ -1,5 +1,7 @@
 #include "experiment/homing.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -79,7 +81,8 @@ Message Homing::seenElsewhere(double since_rad) const {
     return message(
         "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
         "was told, and, if they are right, the index wire's shield",
-        degreesText(apart_rad), apart_rad / turn_rad * options_.countsPerRev, options_.countsPerRev);
+        fmt::format("{:.0f}°", 360.0 * apart_rad / turn_rad), apart_rad / turn_rad * options_.countsPerRev,
+        options_.countsPerRev);
   }
   if (!again && first_rad > turn_rad) return notAgain();
   return message("the index was seen twice within a turn, {} apart; check the encoder's index wire and shield",

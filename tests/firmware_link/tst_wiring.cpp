@@ -122,7 +122,7 @@ void TestWiring::faultFromTheStart_isNamed_data() {
       {R"({"fault": "counts_factor", "value": 0.5})", "about 0.5 times"},
       {R"({"fault": "counts_factor", "value": 0.25})", "about 0.25 times"},
       {R"({"fault": "counts_factor", "value": 0.9765625})", "a turn has"},
-      {R"({"fault": "counts_factor", "value": 1.024})", "whether a turn has"},
+      {R"({"fault": "counts_factor", "value": 1.024})", "the index comes every 369°: a turn has"},
       {R"({"fault": "current_sensor_reversed"})", "reversed"},
       {R"({"fault": "current_sensor_dead"})", "sensor is dead"},
       {R"({"fault": "bridge_reversed"})", "bridge is reversed"},
