@@ -46,10 +46,7 @@ RivalBars::RivalBars(const Diagnosis& diagnosis, const Finding& finding, QWidget
       line += tr(" (%1 to %2)")
                   .arg(channelText(row.low95, diagnosis.fit.channel), channelText(row.high95, diagnosis.fit.channel));
     }
-    const auto score = std::find_if(finding.rivals.begin(), finding.rivals.end(), [&bar](const RivalScore& one) {
-      return bar.of == ErrorBar::Of::rival && one.error == bar.error;
-    });
-    if (score != finding.rivals.end()) {
+    if (const RivalScore* score = bar.rival) {
       row.alike = errsAlike(*score);
       line += row.alike ? tr(", which can't be told from the finding's")
                         : tr(", %1 to %2 times the finding's")

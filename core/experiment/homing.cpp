@@ -1,7 +1,5 @@
 #include "experiment/homing.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -79,10 +77,9 @@ Message Homing::seenElsewhere(double since_rad) const {
       std::abs(sights_rad_[1] - 2.0 * first_rad) < std::min(tolerance_rad(), sameWayPart * first_rad)) {
     const double apart_rad = 0.5 * sights_rad_[1];
     return message(
-        "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
+        "the index comes every {:.0f}°: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
         "was told, and, if they are right, the index wire's shield",
-        fmt::format("{:.0f}°", 360.0 * apart_rad / turn_rad), apart_rad / turn_rad * options_.countsPerRev,
-        options_.countsPerRev);
+        360.0 * apart_rad / turn_rad, apart_rad / turn_rad * options_.countsPerRev, options_.countsPerRev);
   }
   if (!again && first_rad > turn_rad) return notAgain();
   return message("the index was seen twice within a turn, {} apart; check the encoder's index wire and shield",

@@ -74,14 +74,16 @@ std::vector<ErrorBar> rivalBars(const Diagnosis& d, const Finding& finding) {
   using Of = ErrorBar::Of;
   std::vector<ErrorBar> bars{{Of::found, nameOfEffect(finding.effect), d.fit.heldoutAfter, d.fit.after95}};
   for (const RivalScore& one : finding.rivals)
-    bars.push_back({Of::rival, nameOfEffect(one.effect), one.error, Interval{one.low95, one.high95}});
+    bars.push_back({Of::rival, nameOfEffect(one.effect), one.error, Interval{one.low95, one.high95}, &one});
   bars.push_back({Of::base, message(beforeLabel), d.fit.heldoutBefore, d.fit.before95});
   bars.push_back({Of::floor, message("a perfect model"), floorHere(d.fit)});
   return bars;
 }
 
 Message rivalSentence(const Finding& finding) {
-  if (finding.rivals.empty()) return message("No other effect came near enough to be fitted in its place.");
+  if (finding.rivals.empty())
+    return finding.ambiguousWith.empty() ? message("No other effect came near enough to be fitted in its place.")
+                                         : message("What it can't be told from errs as it does, and wasn't fitted.");
   std::vector<Message> alike;
   const RivalScore* nearest = nullptr;
   for (const RivalScore& one : finding.rivals) {

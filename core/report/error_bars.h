@@ -34,6 +34,7 @@ struct ErrorBar {
   Message name;
   double error = 0.0;  ///< SI
   std::optional<Interval> interval = {};
+  const RivalScore* rival = nullptr;  ///< whose it is, in the finding
 };
 
 /// On held-out data: all findings, each other effect that was fitted in this one's place, the least error first, the
