@@ -12,6 +12,30 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostContinued = 4, mostWaves = 4;
+constexpr size_t enoughWindows = 12, fewestOneIn = 3, mostFitted = 6;
+
+/// One in so many of the windows that a search fits.
+class Part {
+ public:
+  Part(const Split& all, size_t oneIn) : oneIn_(std::max<size_t>(oneIn, 1)), split_(all) {
+    split_.train = of(all.train);
+    split_.fold = of(all.fold);
+    split_.trainScore = of(all.trainScore);
+  }
+  const Split& split() const { return split_; }
+  bool isAll() const { return oneIn_ == 1; }
+  /// Of what is there for each window.
+  template <typename T>
+  std::vector<T> of(const std::vector<T>& each) const {
+    std::vector<T> some;
+    for (size_t k = 0; k < each.size(); k += oneIn_) some.push_back(each[k]);
+    return some;
+  }
+
+ private:
+  size_t oneIn_;
+  Split split_;
+};
 
 void dropLeast(std::vector<Pick>& picks) {
   const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
@@ -76,26 +100,43 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   }
 }
 
-/// Every effect alone in a simulation, the one that leaves least first.
-std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
-  std::vector<Tried> tried;
+/// `effect` alone in a simulation, from the screen's sizes or from any.
+FitResult Adoption::alone(const SetFits& fits, const FitResult& base, const Screen& screen,
+                          const Effect& effect) const {
   const double left = mean(base.windowSquares);
+  Pick pick = screen.best(effect, {});
+  if (pick.parameters.empty()) {
+    pick.effect = &effect;
+    pick.shape = effect.shapes(input_.seen).front();
+    pick.parameters = pick.shape.front();
+  }
+  FitResult fit = fits.beside(base.model, screen, {pick}, left);
+  if (fit.usable && mean(fit.windowSquares) <= limits_.farLess * left) return fit;
+  FitResult other = fits.together(screen, {pick});
+  return other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares)) ? other : fit;
+}
+
+/// Every effect alone in a simulation, the one that leaves least first. Most explain little, which a part of the windows
+/// tells: only the best are fitted to all. What shows in a few windows only may be missing in that part.
+std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
+  const Part part(input_.split, std::min(input_.split.train.size() / enoughWindows, fewestOneIn));
+  const SearchInput partly(input_, part.split(), part.of(input_.windowWeights));
+  FitResult partOfBase = base;
+  partOfBase.windowSquares = part.of(base.windowSquares);
+  const SetFits onPart(fits_, partly, partOfBase);
+  std::vector<Tried> tried, sketched;
   for (const Effect* effect : screen.effects()) {
     if (input_.stop.stop_requested()) break;
-    const auto shapes = effect->shapes(input_.seen);
-    if (shapes.empty() || effect->load() != nullptr) continue;
-    Pick pick = screen.best(*effect, {});
-    if (pick.parameters.empty()) {
-      pick.effect = effect;
-      pick.shape = shapes.front();
-      pick.parameters = shapes.front().front();
-    }
-    FitResult fit = fits_.beside(base.model, screen, {pick}, left);
-    if (!fit.usable || mean(fit.windowSquares) > limits_.farLess * left) {
-      FitResult other = fits_.together(screen, {pick});
-      if (other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares))) fit = std::move(other);
-    }
-    if (fit.usable) tried.push_back({effect, std::move(fit)});
+    if (effect->shapes(input_.seen).empty() || effect->load() != nullptr) continue;
+    const bool rare = effect->happensOnce() || effect->growsAtRest();
+    FitResult fit = rare ? alone(fits_, base, screen, *effect) : alone(onPart, partOfBase, screen, *effect);
+    if (fit.usable) (rare ? tried : sketched).push_back({effect, std::move(fit)});
+  }
+  sortByLeft(sketched);
+  if (sketched.size() > mostFitted) sketched.resize(mostFitted);
+  for (Tried& one : sketched) {
+    if (!part.isAll()) one.fit = fits_.fresh(one.fit.model);
+    if (one.fit.usable) tried.push_back(std::move(one));
   }
   sortByLeft(tried);
   return tried;

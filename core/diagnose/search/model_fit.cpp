@@ -69,13 +69,12 @@ static bool showsInTorque(const Effect& effect, DriveInput drive, const Excitati
 }
 
 SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
-    : tracks(prepared.tracks),
-      split(prepared.split),
-      effects(catalogue().begin(), catalogue().end()),
-      freedom(prepared.freedom),
-      seen(prepared.seen),
-      criteria(prepared.criteria),
-      seed(anySeed) {
+    : tracks(prepared.tracks), split(prepared.split) {
+  effects = {catalogue().begin(), catalogue().end()};
+  freedom = prepared.freedom;
+  seen = prepared.seen;
+  criteria = prepared.criteria;
+  seed = anySeed;
   const bool inTorque = !split.train.empty() && split.train.front().errorIn == ErrorIn::torque;
   if (inTorque)
     std::erase_if(effects, [this](const Effect* one) { return !showsInTorque(*one, tracks.front().drive, seen); });

@@ -33,10 +33,8 @@ class StepBudget {
   double left_;
 };
 
-/// What a search runs on.
-struct SearchInput {
-  const std::vector<Track>& tracks;
-  const Split& split;
+/// How a search goes.
+struct SearchSettings {
   std::vector<const Effect*> effects;  ///< that are looked for: the catalogue, or what of it the errors can show
   Freedom freedom;
   Excitation seen;
@@ -52,8 +50,19 @@ struct SearchInput {
   bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
   bool mayTurnToTorque = false;           ///< the same, to errors in torque
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
+};
+
+/// What a search runs on.
+struct SearchInput : SearchSettings {
+  const std::vector<Track>& tracks;
+  const Split& split;
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);
+  /// The same search on other windows of these tracks, whose weights are `weights`.
+  SearchInput(const SearchInput& other, const Split& windows, std::vector<double> weights)
+      : SearchSettings(other), tracks(other.tracks), split(windows) {
+    windowWeights = std::move(weights);
+  }
   void say(double part, const Message& activity) const {
     if (progress) progress(part, activity);
   }

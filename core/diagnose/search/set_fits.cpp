@@ -20,6 +20,16 @@ SetFits::SetFits(const SearchInput& input, const FitResult& base)
       worth_(input, base, restarts_, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)) {
 }
 
+SetFits::SetFits(const SetFits& other, const SearchInput& input, const FitResult& base)
+    : input_(input),
+      limits_(input.criteria),
+      base_(base),
+      restarts_(other.restarts_),
+      worth_(other.worth_),
+      loadsMayShow_(other.loadsMayShow_),
+      expected_(other.expected_) {
+}
+
 void SetFits::weighRestarts(const TorqueNoise& left) {
   const double coulomb = physicsOf(base_.model).coulomb;
   if (left.rms > mostWander(coulomb, input_.seen.peakTorque, limits_)) {

@@ -12,6 +12,8 @@ namespace breakaway {
 class SetFits {
  public:
   SetFits(const SearchInput& input, const FitResult& base);
+  /// The same on `input`, which has other windows of the same tracks, and the base's fit to them.
+  SetFits(const SetFits& other, const SearchInput& input, const FitResult& base);
 
   /// Finds loadsMayShow(). `left`: what the base model leaves, taken for a torque that wanders.
   void weighRestarts(const TorqueNoise& left);
