@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/dense_solve.h"
+
 namespace breakaway {
 
 namespace {
@@ -111,7 +113,7 @@ void BreakawayTrend::fit() {
       precision(2 * k + 1, 2 * k + 1) += 1.0 / waves[k];
       precision(2 * k + 2, 2 * k + 2) += 1.0 / waves[k];
     }
-    covariance_ = precision.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+    covariance_ = inverseOfSymmetric(precision);
     x_ = covariance_ * right / scatter;
     for (Eigen::Index k = 0; k < orders; ++k) {
       const double power = x_.segment<2>(2 * k + 1).squaredNorm() + covariance_(2 * k + 1, 2 * k + 1) +

@@ -1,11 +1,13 @@
 #include "identify/bridge_fit.h"
 
 #include <fmt/core.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -127,13 +129,12 @@ class BridgeLine {
     const double rounding = roundings(0, 0);
     const std::array both{slopes, n - 1};
     normal(both, both) -= roundings;
-    const auto solver = normal.completeOrthogonalDecomposition();
+    const Eigen::MatrixXd inverse = pseudoInverse(normal);
     Fit fit;
-    fit.x = solver.solve(right);
+    fit.x = inverse * right;
     fit.squares = squares - fit.x.dot(right);
     const double residual = squares - 2.0 * fit.x.dot(right) + fit.x.dot(seen * fit.x);
     if (rounding > 0.0) fit.rounding = roundingShare(fit.x, seen, right, slopes);
-    const Eigen::MatrixXd inverse = solver.pseudoInverse();
     fit.residual = std::max(0.0, residual);
     fit.covariance = spread(fit) * (rounding > 0.0 ? Eigen::MatrixXd(inverse * seen * inverse) : inverse);
     return fit;
@@ -178,7 +179,7 @@ class BridgeLine {
   /// By the far slope without what is taken off the speed's square.
   static double roundingShare(const Eigen::VectorXd& x, const Eigen::MatrixXd& seen, const Eigen::VectorXd& right,
                               Eigen::Index slopes) {
-    const Eigen::VectorXd plain = seen.completeOrthogonalDecomposition().solve(right);
+    const Eigen::VectorXd plain = leastNorm(seen, right);
     return std::abs(x.head(slopes).sum() / plain.head(slopes).sum() - 1.0);
   }
   /// Variance of a row of weight 1.

@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "base/dense_solve.h"
 #include "identify/encoder_disc.h"
 
 namespace breakaway {
@@ -94,7 +95,7 @@ std::optional<EncoderSwing> swingOf(const std::array<WayRuns, 2>& ways) {
   }
   const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   const Normal inverse =
-      scale.asDiagonal() * Normal(scale.asDiagonal() * normal * scale.asDiagonal()).inverse() * scale.asDiagonal();
+      scale.asDiagonal() * Normal(inverseOf(scale.asDiagonal() * normal * scale.asDiagonal())) * scale.asDiagonal();
   const Eigen::Matrix<Complex, unknowns, 1> x = inverse.cast<Complex>() * right;
   EncoderSwing swing{x[unknowns - 1], inverse(unknowns - 1, unknowns - 1), {}};
   for (Eigen::Index w = 0; w < 2; ++w) {

@@ -1,9 +1,10 @@
 #include "identify/motor_identification.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "base/numbers.h"
 #include "identify/spin_disc.h"
 
@@ -30,9 +31,9 @@ LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<d
     y[k] = right[static_cast<size_t>(k)];
   }
   LeastSquares result;
-  result.x = A.colPivHouseholderQr().solve(y);
+  result.x = leastSquares(A, y);
   result.variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
-  result.error = (result.variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
+  result.error = (result.variance * inverseOf(A.transpose() * A).diagonal()).cwiseSqrt();
   return result;
 }
 
@@ -49,10 +50,10 @@ LeastSquares solveRounded(const std::vector<Eigen::VectorXd>& rows, const std::v
     normal += rows[k] * rows[k].transpose();
     moments += right[k] * rows[k];
   }
-  const double own = 1.0 / normal.inverse()(0, 0), off = static_cast<double>(rows.size()) * variance;
+  const double own = 1.0 / inverseOf(normal)(0, 0), off = static_cast<double>(rows.size()) * variance;
   normal(0, 0) -= std::min(off, (1.0 - leastTold) * own);
   LeastSquares freed = plain;
-  freed.x = normal.ldlt().solve(moments);
+  freed.x = solveSymmetric(normal, moments);
   freed.error *= freed.x[0] / plain.x[0];
   freed.error[0] = std::hypot(freed.error[0], std::max(doubt, off / own - leastTold) * (freed.x[0] - plain.x[0]));
   return freed;

@@ -1,11 +1,13 @@
 #include "identify/spin_disc.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <utility>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -90,8 +92,7 @@ EncoderDisc fitOnce(const Balance& balance) {
   const SpinRow scale =
       balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
   const Square inverse =
-      scale.asDiagonal() *
-      (scale.asDiagonal() * balance.normal * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
+      scale.asDiagonal() * Square(pseudoInverse(scale.asDiagonal() * balance.normal * scale.asDiagonal())) *
       scale.asDiagonal();
   const SpinRow x = inverse * balance.right;
   if (!(x[0] > 0.0)) return {};
@@ -122,7 +123,7 @@ std::pair<double, size_t> leftByVoltage(const std::vector<SpinBlock>& blocks, co
     right += speed * row;
     rows.emplace_back(row, speed);
   }
-  const Row x = normal.completeOrthogonalDecomposition().solve(right);
+  const Row x = leastNorm(normal, right);
   double squares = 0.0;
   for (const auto& [row, speed] : rows) squares += std::pow(speed - x.dot(row), 2);
   return {squares, rows.size()};

@@ -1,10 +1,11 @@
 #include "identify/wiring_fit.h"
 
 #include <fmt/core.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "experiment/wiring_check.h"
 
 namespace breakaway {
@@ -52,10 +53,10 @@ std::optional<Course> courseOf(const WiringCheck::Kick& kick, double noise_A, do
   }
   Eigen::Matrix3d normal = rows.transpose() * rows;
   const double rounding_rad2 = static_cast<double>(n) * count_rad * count_rad / 6.0;  // with where in a count it began
-  const double told = 1.0 - rounding_rad2 * normal.completeOrthogonalDecomposition().pseudoInverse()(1, 1);
+  const double told = 1.0 - rounding_rad2 * pseudoInverse(normal)(1, 1);
   if (told < leastTold) return {};
   normal(1, 1) -= rounding_rad2;
-  const Eigen::Matrix3Xd inverse = normal.completeOrthogonalDecomposition().pseudoInverse() * rows.transpose();
+  const Eigen::Matrix3Xd inverse = pseudoInverse(normal) * rows.transpose();
   const Eigen::Vector3d x = inverse * charge_As;
   const double tick_s = at.back().time_s / static_cast<double>(n - 1);
   Eigen::Vector3d later = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();

@@ -1,8 +1,10 @@
 #include "identify/zero_track.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -46,7 +48,7 @@ ZeroTrack::ZeroTrack(std::vector<ZeroReading> readings, double noiseRms_A)
       normal += weight(one) * row * row.transpose();
       right += weight(one) * one.zero_A * row;
     }
-    const Eigen::MatrixXd covariance = normal.inverse();
+    const Eigen::MatrixXd covariance = inverseOf(normal);
     const Eigen::VectorXd x = covariance * right;
     double squares = 0.0;
     for (const ZeroReading& one : readings_) {

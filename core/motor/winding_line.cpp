@@ -1,9 +1,11 @@
 #include "motor/winding_line.h"
 
 #include <fmt/core.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -27,7 +29,7 @@ LineFit fitWith(const std::vector<WindingPoint>& points, double deadZone_V) {
     fit.normal += row * row.transpose();
     right += row * point.current_A;
   }
-  fit.x = fit.normal.fullPivLu().solve(right);
+  fit.x = leastNorm(fit.normal, right);
   for (const WindingPoint& point : points) {
     const double e = point.current_A - fit.x[0] * beyond(point.voltage_V, deadZone_V) - fit.x[1];
     fit.squares += e * e;
@@ -76,7 +78,7 @@ Result<WindingLine> fitWindingLine(const std::vector<WindingPoint>& points) {
     const Eigen::Vector3d row(u, u == 0.0 ? 0.0 : -std::copysign(fit.x[0], u), 1.0);
     normal += row * row.transpose();
   }
-  const Eigen::Matrix3d covariance = variance * normal.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::Matrix3d covariance = variance * pseudoInverse(normal);
   const double slope = fit.x[0], slopeError = std::sqrt(std::max(0.0, covariance(0, 0)));
   const bool constant = std::all_of(points.begin(), points.end(), [&points](const WindingPoint& one) {
     return one.current_A == points.front().current_A;

@@ -1,8 +1,10 @@
 #include "trial/trial_sizing.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -68,7 +70,7 @@ double costOfLeavingOut(const TrialRig& rig, const TrialTrace& trace) {
     }
     Eigen::MatrixXd normal = slopes.transpose() * slopes;
     normal.diagonal() *= 1.001;
-    VectorXd change = -normal.ldlt().solve(slopes.transpose() * error);
+    VectorXd change = -solveSymmetric(normal, slopes.transpose() * error);
     change = change.cwiseMax(-0.5).cwiseMin(0.5);
     bool better = false;
     for (int shorter = 0; shorter < 3 && !better; ++shorter, change *= 0.35) {

@@ -1,10 +1,11 @@
 #include "diagnose/check/sight.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/dense_solve.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/verdict/next_experiment.h"
@@ -77,7 +78,7 @@ class Sensitivity {
       columns.push_back(std::move(column));
     }
     normal.diagonal().array() += 1e-12 * std::max(normal.diagonal().maxCoeff(), 1e-300);
-    const Eigen::VectorXd taken = size > 0 ? normal.ldlt().solve(shared).eval() : Eigen::VectorXd();
+    const Eigen::VectorXd taken = size > 0 ? solveSymmetric(normal, shared) : Eigen::VectorXd();
     SightChange change;
     double before = 0.0, after = 0.0;
     std::vector<double> squares;

@@ -1,10 +1,11 @@
 #include "diagnose/fit/cross_validation.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "base/dense_solve.h"
 #include "base/parallel.h"
 #include "diagnose/fit/motion.h"
 
@@ -90,7 +91,7 @@ std::vector<double> crossValidated(const FitResult& fit, const std::vector<Track
     Eigen::VectorXd step = score;
     if (size > 0) {  // with every value trusted there is nothing to move
       rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-      step = rest.ldlt().solve(score);
+      step = solveSymmetric(rest, score);
     }
     for (int halvings = 0;; ++halvings) {
       Eigen::VectorXd x = fit.x + step;

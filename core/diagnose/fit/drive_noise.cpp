@@ -1,9 +1,10 @@
 #include "diagnose/fit/drive_noise.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -32,7 +33,7 @@ struct Rows {
 
 /// How little a least squares fit leaves, as the logarithm of its likelihood.
 double likelihood(const Eigen::MatrixXd& columns, const Eigen::VectorXd& response) {
-  const double squares = (response - columns * columns.colPivHouseholderQr().solve(response)).squaredNorm();
+  const double squares = leftByLeastSquares(columns, response).squaredNorm();
   return -0.5 * static_cast<double>(response.size()) * std::log(std::max(squares, 1e-300));
 }
 

@@ -1,10 +1,11 @@
 #include "diagnose/fit/inverse_regression.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/dense_solve.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -70,7 +71,7 @@ Result<Regression> regress(const std::vector<Track>& tracks, const std::vector<C
   if (eigen.eigenvalues().minCoeff() < 1e-9) {
     return Error{tracks.front().name, "moves too evenly to tell the parameters of the inverse model apart"};
   }
-  const Eigen::MatrixXd inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+  const Eigen::MatrixXd inverse = scale.asDiagonal() * inverseOf(scaled) * scale.asDiagonal();
   out.value = inverse * right;
   Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(size, size);
   double squares = 0.0, total = 0.0;

@@ -1,11 +1,12 @@
 #include "diagnose/fit/ringing_start.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "base/dense_solve.h"
 #include "diagnose/simulate/physics.h"
 #include "motor/bench.h"
 
@@ -80,11 +81,10 @@ Eigen::VectorXd coefficients(const Products& sums) {
   regressors.insert(regressors.end(), {direction, evenly});
   const Eigen::Index instruments = speeds;
   const Eigen::MatrixXd seen = products(Eigen::seqN(0, instruments), regressors);
-  const Eigen::MatrixXd foretold =
-      products.topLeftCorner(instruments, instruments).completeOrthogonalDecomposition().solve(seen);
+  const Eigen::MatrixXd foretold = leastNorms(products.topLeftCorner(instruments, instruments), seen);
   const Eigen::MatrixXd normal = seen.transpose() * foretold;
   const Eigen::VectorXd right = foretold.transpose() * products.col(itsSpeed).head(instruments);
-  Eigen::VectorXd found = normal.completeOrthogonalDecomposition().solve(right);
+  Eigen::VectorXd found = leastNorm(normal, right);
   for (Eigen::Index j = 0; j < found.size(); ++j) found[j] *= size[itsSpeed] / size[regressors[static_cast<size_t>(j)]];
   return found;
 }

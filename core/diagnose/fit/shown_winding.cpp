@@ -1,8 +1,10 @@
 #include "diagnose/fit/shown_winding.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -97,7 +99,7 @@ struct WindingBalance {
   static Eigen::VectorXd solved(const Eigen::Matrix<double, columns, columns>& products, Eigen::Index width) {
     const Eigen::VectorXd unit = unitsOf(products, width);
     const Eigen::MatrixXd scaled = unit.asDiagonal() * products.topLeftCorner(width, width) * unit.asDiagonal();
-    return unit.cwiseProduct(scaled.ldlt().solve(unit.cwiseProduct(products.col(response).head(width))));
+    return unit.cwiseProduct(solveSymmetric(scaled, unit.cwiseProduct(products.col(response).head(width))));
   }
 };
 
@@ -120,7 +122,7 @@ Eigen::MatrixXd covarianceOf(const WindingBalance& balance, Eigen::Index width, 
     spread += score * score.transpose();
   }
   const Eigen::MatrixXd inverse =
-      (unit.asDiagonal() * balance.products.topLeftCorner(width, width) * unit.asDiagonal()).inverse();
+      inverseOf(unit.asDiagonal() * balance.products.topLeftCorner(width, width) * unit.asDiagonal());
   return unit.asDiagonal() * inverse * spread * inverse * unit.asDiagonal();
 }
 

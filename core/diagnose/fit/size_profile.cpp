@@ -1,8 +1,9 @@
 #include "diagnose/fit/size_profile.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
@@ -27,7 +28,7 @@ double risesBy(const FitResult& fit, Eigen::Index size) {
   Eigen::MatrixXd normal = fit.priorPrecision.asDiagonal();
   for (const WindowDerivative& window : fit.windows) normal += window.jacobian.transpose() * window.jacobian;
   normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-  const double plain = normal.ldlt().solve(Eigen::VectorXd::Unit(normal.rows(), size))[size];
+  const double plain = solveSymmetric(normal, Eigen::VectorXd::Unit(normal.rows(), size))[size];
   return std::pow(fit.errors, 2) * fit.covariance(size, size) / plain;
 }
 

@@ -3,11 +3,12 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "base/dense_solve.h"
 #include "base/distributions.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
@@ -299,8 +300,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     meat(k, k) += precision * precision * priorDeviation * priorDeviation;
   }
   if (size > 0) normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-  const Eigen::MatrixXd inverse =
-      size > 0 ? normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size)).eval() : Eigen::MatrixXd(0, 0);
+  const Eigen::MatrixXd inverse = size > 0 ? inverseOfSymmetric(normal) : Eigen::MatrixXd(0, 0);
   const auto n = static_cast<double>(clusters.size());
   result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
   result.errors = student95(n - 1.0);

@@ -1,10 +1,11 @@
 #include "diagnose/screen/linear_rig.h"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/dense_solve.h"
 #include "diagnose/simulate/drive_reading.h"
 #include "diagnose/simulate/physics.h"
 
@@ -109,7 +110,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     const Eigen::VectorXd response = all.block(first, baseColumns, rows, 1);
     const Eigen::VectorXd size = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     const Eigen::MatrixXd scaled = columns * size.asDiagonal();
-    const double squares = (response - scaled * scaled.colPivHouseholderQr().solve(response)).squaredNorm();
+    const double squares = leftByLeastSquares(scaled, response).squaredNorm();
     const double typical = std::sqrt(reading * reading + partOfResidual * squares / static_cast<double>(rows));
     weights_.segment(first, rows) /= std::max(typical, 1e-300);
   };
@@ -194,7 +195,7 @@ void LinearRig::freeInductance() {
   more << base_, change;
   const Eigen::VectorXd scale = more.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   const Eigen::VectorXd solution =
-      scale.cwiseProduct((more * scale.asDiagonal()).colPivHouseholderQr().solve(response_));
+      scale.cwiseProduct(leastSquares(more * scale.asDiagonal(), response_));
   // Beyond the doubt about an inductance something else is late.
   if (std::abs(solution[base_.cols()]) < inductanceDoubt) base_ = more;
 }

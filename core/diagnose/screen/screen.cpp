@@ -1,9 +1,10 @@
 #include "diagnose/screen/screen.h"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -111,7 +112,7 @@ Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const 
   const Eigen::MatrixXd all = design(chosen);
   const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   const Eigen::VectorXd solution =
-      scale.cwiseProduct((all * scale.asDiagonal()).colPivHouseholderQr().solve(rig_.response()));
+      scale.cwiseProduct(leastSquares(all * scale.asDiagonal(), rig_.response()));
   return rig_.physical(solution.head(rig_.base().cols()));
 }
 
@@ -164,7 +165,7 @@ double Screen::gainOf(const Eigen::MatrixXd& columns, const Left& left, Eigen::V
   Eigen::MatrixXd ridged = own;
   ridged.diagonal().array() += 1e-9 * own.trace();
   const Eigen::VectorXd score = free.transpose() * left.response;
-  amplitude = ridged.ldlt().solve(score);
+  amplitude = solveSymmetric(ridged, score);
   return amplitude.dot(score);
 }
 
@@ -193,7 +194,7 @@ Pick Screen::bestOf(const Effect* effect, const Left& left) const {
     if (!(own.trace() > 1e-5 * norms_.segment(one.at, one.width).sum())) continue;
     own.diagonal().array() += 1e-9 * own.trace();
     const Eigen::VectorXd score = left.scores.segment(one.at, one.width);
-    const Eigen::VectorXd amplitude = own.ldlt().solve(score);
+    const Eigen::VectorXd amplitude = solveSymmetric(own, score);
     const double gain = amplitude.dot(score);
     if (gain <= best.gain) continue;
     auto parameters = effect->scaled(one.shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
@@ -234,7 +235,7 @@ double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) co
   // What is left after the pick, window by window and column by column.
   Eigen::MatrixXd own = columnsOf(pick);
   own -= before.basis * (before.basis.transpose() * own);
-  const Eigen::VectorXd after = before.response - own * own.colPivHouseholderQr().solve(before.response);
+  const Eigen::VectorXd after = leftByLeastSquares(own, before.response);
   const auto windows = static_cast<Eigen::Index>(rig_.windows());
   const Eigen::Index chosenColumns = before.shared.rows();
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(windows, free_.cols());
@@ -322,7 +323,7 @@ std::vector<double> Screen::validated(const std::vector<Pick>& chosen) const {
       right += rights[other];
     }
     rest.diagonal().array() += 1e-9;
-    solutions.push_back(scale.cwiseProduct(rest.ldlt().solve(right)));
+    solutions.push_back(scale.cwiseProduct(solveSymmetric(rest, right)));
   }
   std::vector<double> squares(rig_.windows(), 0.0);
   eachRun([&](Eigen::Index at, Eigen::Index rows, size_t w) {

@@ -1,8 +1,10 @@
 #include "diagnose/search/voltage_balance.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solve.h"
 
 namespace breakaway {
 
@@ -62,7 +64,7 @@ std::optional<SensorOffset> sensorOffset(const std::vector<Track>& tracks, const
   }
   const Row unit = products.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse().transpose();
   const Square scale = unit.transpose().asDiagonal();
-  const Square inverse = scale * (scale * products * scale + 1e-12 * Square::Identity()).inverse() * scale;
+  const Square inverse = scale * Square(inverseOf(scale * products * scale + 1e-12 * Square::Identity())) * scale;
   const Row solution = right * inverse;
   // Windows as clusters: errors within one hang together.
   Square spread = Square::Zero();

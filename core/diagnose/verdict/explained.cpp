@@ -1,9 +1,10 @@
 #include "diagnose/verdict/explained.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solve.h"
 #include "diagnose/verdict/instants.h"
 
 namespace breakaway {
@@ -23,7 +24,7 @@ std::vector<double> lawAt(const Instants& without, const Instants& with) {
     law[row] = without.value[k] - with.value[k];
     base.row(row) << without.way[k], without.along[byVelocity][k], without.along[byAcceleration][k];
   }
-  const Eigen::VectorXd taken = base.colPivHouseholderQr().solve(law);
+  const Eigen::VectorXd taken = leastSquares(base, law);
   law -= base.leftCols(2) * taken.head(2);
   // What the inertia takes up has no place on other axes: accelerations of both signs meet in a cell.
   return {law.begin(), law.end()};

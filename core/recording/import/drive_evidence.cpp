@@ -1,6 +1,6 @@
 #include "recording/import/drive_evidence.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/dense_solve.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/settle_motion.h"
 
@@ -54,7 +55,7 @@ double explainedBy(const VectorXd& drive, const MatrixXd& overcome) {
   constexpr Eigen::Index fewest = 20;
   if (drive.size() < fewest) return 0.0;
   const double all = (drive.array() - drive.mean()).matrix().squaredNorm();
-  const VectorXd rest = drive - overcome * overcome.colPivHouseholderQr().solve(drive);
+  const VectorXd rest = leftByLeastSquares(overcome, drive);
   return all > 0.0 ? 1.0 - rest.squaredNorm() / all : 0.0;
 }
 

@@ -1,0 +1,39 @@
+#include "base/dense_solve.h"
+
+#include <Eigen/Dense>
+
+namespace breakaway {
+
+Eigen::VectorXd leastSquares(const MatrixView& A, const VectorView& y) {
+  return A.colPivHouseholderQr().solve(y);
+}
+
+Eigen::VectorXd leftByLeastSquares(const MatrixView& A, const VectorView& y) {
+  return y - A * leastSquares(A, y);
+}
+
+Eigen::VectorXd leastNorm(const MatrixView& A, const VectorView& y) {
+  return leastNorms(A, y);
+}
+
+Eigen::MatrixXd leastNorms(const MatrixView& A, const MatrixView& Y) {
+  return A.completeOrthogonalDecomposition().solve(Y);
+}
+
+Eigen::MatrixXd pseudoInverse(const MatrixView& A) {
+  return A.completeOrthogonalDecomposition().pseudoInverse();
+}
+
+Eigen::MatrixXd inverseOf(const MatrixView& A) {
+  return A.inverse();
+}
+
+Eigen::VectorXd solveSymmetric(const MatrixView& A, const VectorView& y) {
+  return A.ldlt().solve(y);
+}
+
+Eigen::MatrixXd inverseOfSymmetric(const MatrixView& A) {
+  return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+}  // namespace breakaway

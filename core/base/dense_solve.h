@@ -1,0 +1,29 @@
+// Dense systems of equations, by Eigen's decompositions. Where a source uses one itself, it takes ten seconds more to
+// compile: they are all compiled in one place.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace breakaway {
+
+using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
+using VectorView = Eigen::Ref<const Eigen::VectorXd>;
+
+/// The x with the least |A·x − y|.
+Eigen::VectorXd leastSquares(const MatrixView& A, const VectorView& y);
+/// y − A·x of that x.
+Eigen::VectorXd leftByLeastSquares(const MatrixView& A, const VectorView& y);
+/// Of all with the least |A·x − y|, the shortest x: also where columns hang together.
+Eigen::VectorXd leastNorm(const MatrixView& A, const VectorView& y);
+/// The same for each column of Y.
+Eigen::MatrixXd leastNorms(const MatrixView& A, const MatrixView& Y);
+Eigen::MatrixXd pseudoInverse(const MatrixView& A);
+
+/// Of a square A that has an inverse.
+Eigen::MatrixXd inverseOf(const MatrixView& A);
+/// x of A·x = y with a symmetric A that isn't negative.
+Eigen::VectorXd solveSymmetric(const MatrixView& A, const VectorView& y);
+/// The inverse of such an A.
+Eigen::MatrixXd inverseOfSymmetric(const MatrixView& A);
+
+}  // namespace breakaway
