@@ -116,7 +116,7 @@ FitResult Adoption::alone(const SetFits& fits, const FitResult& base, const Scre
   return other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares)) ? other : fit;
 }
 
-/// Every effect alone in a simulation, the one that leaves least first. Most explain little, which a part of the windows
+/// Effects alone in a simulation, the one that leaves least first. Most explain little, which a part of the windows
 /// tells: only the best are fitted to all. What shows in a few windows only may be missing in that part.
 std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
   const Part part(input_.split, std::min(input_.split.train.size() / enoughWindows, fewestOneIn));
@@ -124,18 +124,24 @@ std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Sc
   FitResult partOfBase = base;
   partOfBase.windowSquares = part.of(base.windowSquares);
   const SetFits onPart(fits_, partly, partOfBase);
+  const double leftOfPart = mean(partOfBase.windowSquares);
   std::vector<Tried> tried, sketched;
   for (const Effect* effect : screen.effects()) {
     if (input_.stop.stop_requested()) break;
     if (effect->shapes(input_.seen).empty() || effect->load() != nullptr) continue;
-    const bool rare = effect->happensOnce() || effect->growsAtRest();
-    FitResult fit = rare ? alone(fits_, base, screen, *effect) : alone(onPart, partOfBase, screen, *effect);
-    if (fit.usable) (rare ? tried : sketched).push_back({effect, std::move(fit)});
+    const bool whole = part.isAll() || effect->happensOnce() || effect->growsAtRest();
+    FitResult fit = whole ? alone(fits_, base, screen, *effect) : alone(onPart, partOfBase, screen, *effect);
+    if (!fit.usable) continue;
+    if (whole) {
+      tried.push_back({effect, std::move(fit)});
+    } else if (mean(fit.windowSquares) <= limits_.hardlyLess * leftOfPart) {
+      sketched.push_back({effect, std::move(fit)});
+    }
   }
   sortByLeft(sketched);
   if (sketched.size() > mostFitted) sketched.resize(mostFitted);
   for (Tried& one : sketched) {
-    if (!part.isAll()) one.fit = fits_.fresh(one.fit.model);
+    one.fit = alone(fits_, base, screen, *one.effect);
     if (one.fit.usable) tried.push_back(std::move(one));
   }
   sortByLeft(tried);
