@@ -90,7 +90,8 @@ Json jsonOf(const Imported& imported) {
                                {"scale", one.scale},
                                {"offset", one.offset},
                                {"why", one.why},
-                               {"guessed", one.guessed}});
+                               {"guessed", one.guessed},
+                               {"doubt", one.doubt.empty() ? Json() : Json(one.doubt)}});
   }
   return json;
 }

@@ -57,8 +57,7 @@ void addOrder(const std::vector<ShareRow>& rows, double& information, double& ri
   const Eigen::Matrix<double, shareUnknowns, 1> scale =
       normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
   const Normal inverse =
-      scale.asDiagonal() * Normal(pseudoInverse(scale.asDiagonal() * normal * scale.asDiagonal())) *
-      scale.asDiagonal();
+      scale.asDiagonal() * Normal(pseudoInverse(scale.asDiagonal() * normal * scale.asDiagonal())) * scale.asDiagonal();
   const Eigen::Matrix<Complex, shareUnknowns, 1> t = inverse.cast<Complex>() * torques,
                                                  a = inverse.cast<Complex>() * accelerations;
   for (const ShareRow& row : rows) {

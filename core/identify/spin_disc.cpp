@@ -91,9 +91,9 @@ EncoderDisc fitOnce(const Balance& balance) {
   if (balance.rows < leastSpinRows) return {};
   const SpinRow scale =
       balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
-  const Square inverse =
-      scale.asDiagonal() * Square(pseudoInverse(scale.asDiagonal() * balance.normal * scale.asDiagonal())) *
-      scale.asDiagonal();
+  const Square inverse = scale.asDiagonal() *
+                         Square(pseudoInverse(scale.asDiagonal() * balance.normal * scale.asDiagonal())) *
+                         scale.asDiagonal();
   const SpinRow x = inverse * balance.right;
   if (!(x[0] > 0.0)) return {};
   const double variance =

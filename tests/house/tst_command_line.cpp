@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -5,6 +7,7 @@
 #include <QProcess>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 
 #include "house/program.h"
 #include "recording/csv.h"
@@ -25,6 +28,7 @@ class TestCommandLine : public QObject {
   void wrongLine_namesTheRightHelp();
   void lists_areForPeopleAndPrograms();
   void json_isOneObjectAndQuietSaysNothing();
+  void importedGuess_comesWithItsDoubt();
   void lastLine_saysWhereTheResultIs();
   void dash_isStandardInput();
   void import_takesAStretch();
@@ -175,6 +179,22 @@ void TestCommandLine::json_isOneObjectAndQuietSaysNothing() {
   const Outcome wrong = breakaway("fit --bench none.json --recording r.csv --out m.json --quiet --json");
   QCOMPARE(wrong.status, 2);
   QVERIFY(wrong.out.isEmpty() && wrong.err.contains("none.json"));
+}
+
+void TestCommandLine::importedGuess_comesWithItsDoubt() {
+  // A current that never falls below zero, beside a supply's voltage: it may be the supply's, too.
+  std::string log = "t,pos_rad,current_A,bus_voltage_V\n";
+  for (int k = 0; k < 600; ++k) {
+    const double t = 0.01 * k, push = 0.4 * std::cos(0.8 * t) + std::copysign(0.1, std::cos(0.8 * t));
+    log += fmt::format("{:.2f},{:.5f},{:.4f},24.1\n", t, 20.0 * std::sin(0.8 * t), std::abs(push));
+  }
+  folder_.write("guess.csv", log);
+  const QJsonObject answer = objectIn(breakaway("import guess.csv --explain --json").out);
+  const QJsonArray columns = answer["recordings"].toArray().at(0)["columns"].toArray();
+  QCOMPARE(columns.size(), 4);
+  QVERIFY2(columns[2]["doubt"].toString().contains("supply"), qPrintable(columns[2]["doubt"].toString()));
+  QVERIFY(columns[2]["guessed"].toBool());
+  QVERIFY(columns[1]["doubt"].isNull());
 }
 
 void TestCommandLine::lastLine_saysWhereTheResultIs() {

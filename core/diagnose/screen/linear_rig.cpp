@@ -194,8 +194,7 @@ void LinearRig::freeInductance() {
   Eigen::MatrixXd more(rows_, base_.cols() + 1);
   more << base_, change;
   const Eigen::VectorXd scale = more.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::VectorXd solution =
-      scale.cwiseProduct(leastSquares(more * scale.asDiagonal(), response_));
+  const Eigen::VectorXd solution = scale.cwiseProduct(leastSquares(more * scale.asDiagonal(), response_));
   // Beyond the doubt about an inductance something else is late.
   if (std::abs(solution[base_.cols()]) < inductanceDoubt) base_ = more;
 }

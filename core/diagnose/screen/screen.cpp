@@ -111,8 +111,7 @@ Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
 Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const {
   const Eigen::MatrixXd all = design(chosen);
   const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-  const Eigen::VectorXd solution =
-      scale.cwiseProduct(leastSquares(all * scale.asDiagonal(), rig_.response()));
+  const Eigen::VectorXd solution = scale.cwiseProduct(leastSquares(all * scale.asDiagonal(), rig_.response()));
   return rig_.physical(solution.head(rig_.base().cols()));
 }
 
