@@ -19,6 +19,19 @@ Eigen::VectorXd leastNorm(const MatrixView& A, const VectorView& y);
 Eigen::MatrixXd leastNorms(const MatrixView& A, const MatrixView& Y);
 Eigen::MatrixXd pseudoInverse(const MatrixView& A);
 
+/// Orthonormal columns that span what A's do, as many as A has.
+Eigen::MatrixXd basisOf(const MatrixView& A);
+/// The same, as many as A has rank: also where columns hang together.
+Eigen::MatrixXd basisOfRank(const MatrixView& A);
+/// A tall A that has its full rank: its basis and the x with the least |A·x − y|.
+struct SpannedFit {
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd x;
+};
+SpannedFit spannedFit(const MatrixView& A, const VectorView& y);
+/// The length of what the other columns of A leave of its last one, with a sign that says nothing.
+double leftOfLastColumn(const MatrixView& A);
+
 /// Of a square A that has an inverse.
 Eigen::MatrixXd inverseOf(const MatrixView& A);
 /// x of A·x = y with a symmetric A that isn't negative.

@@ -1,11 +1,13 @@
 #include "diagnose/fit/window_residual.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
+#include "base/dense_solve.h"
 #include "base/numbers.h"
 
 namespace breakaway {
@@ -161,10 +163,10 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   Eigen::MatrixXd byState = startColumns(hidden);
   const Eigen::VectorXd scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   byState = byState * scale.asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(byState);
-  basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows(), byState.cols());
+  SpannedFit state = spannedFit(byState, -nominal_);
+  basis_ = std::move(state.basis);
   residual_ = projected(nominal_);
-  const Eigen::VectorXd step = scale.cwiseProduct(qr.solve(-nominal_));
+  const Eigen::VectorXd step = scale.cwiseProduct(state.x);
   // No further than the doubt about the start allows.
   const double reach = 20.0 * track_.noise, speedReach = track_.speedAlone() ? 20.0 * track_.speedNoise : reach / 0.02;
   next_ = start_;

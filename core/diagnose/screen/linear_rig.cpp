@@ -1,6 +1,6 @@
 #include "diagnose/screen/linear_rig.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -352,8 +352,7 @@ TorqueNoise LinearRig::likeliest(const Eigen::MatrixXd& all, Eigen::Index rows) 
     const Eigen::Index width = white.cols() - 1;
     const Eigen::VectorXd scale = white.leftCols(width).colwise().norm().cwiseMax(1e-300).cwiseInverse();
     white.leftCols(width) *= scale.asDiagonal();
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-    const double left = qr.matrixQR()(width, width);  // what the columns leave of the response
+    const double left = leftOfLastColumn(white);  // what the columns leave of the response
     const double free = static_cast<double>(white.rows() - width) - 2.0 * static_cast<double>(stretches_.size());
     const double unlikely = logarithms + 0.5 * free * std::log(left * left / free);
     return std::pair{unlikely, TorqueNoise{ratio, time_s, ratio * std::abs(left) / std::sqrt(free)}};
@@ -387,8 +386,7 @@ double LinearRig::whitenStretch(const TorqueNoise& noise, const Stretch& one, Ei
   line.col(1) /= std::max(line.col(1).cwiseAbs().maxCoeff(), 1e-300);
   whiten(noise, one.times, line, one.impulses);
   const double logarithms = whiten(noise, one.times, rows, one.impulses);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2);
+  const Eigen::MatrixXd basis = basisOf(line);
   rows -= (basis * (basis.transpose() * rows)).eval();
   return logarithms;
 }

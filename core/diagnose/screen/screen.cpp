@@ -1,6 +1,6 @@
 #include "diagnose/screen/screen.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -118,8 +118,7 @@ Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const 
 Eigen::MatrixXd Screen::orthonormal(Eigen::MatrixXd columns) {
   const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   columns = columns * scale.asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  return basisOfRank(columns);
 }
 
 Screen::Left Screen::leave(const std::vector<Pick>& chosen) const {
