@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 
 namespace breakaway {
 

@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "identify/encoder_disc.h"
 
 namespace breakaway {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/dense_solve.h"
 #include "base/numbers.h"
+#include "dense/dense_solve.h"
 #include "identify/spin_disc.h"
 
 namespace breakaway {

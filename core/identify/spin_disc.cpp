@@ -7,7 +7,7 @@
 #include <complex>
 #include <utility>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 
 namespace breakaway {
 

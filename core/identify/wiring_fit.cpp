@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "experiment/wiring_check.h"
 
 namespace breakaway {

@@ -12,10 +12,10 @@ namespace breakaway::test {
 namespace {
 
 /// The rooms of core, each of which may include itself and those before it.
-const std::vector<std::string> rooms{"base",       "friction", "recording", "motor",      "plant",
-                                     "observer",   "control",  "stability", "experiment", "identify",
-                                     "commission", "diagnose", "export",    "trial",      "draw",
-                                     "fleet",      "project",  "report",    "figures"};
+const std::vector<std::string> rooms{"base",     "dense",      "friction", "recording", "motor",
+                                     "plant",    "observer",   "control",  "stability", "experiment",
+                                     "identify", "commission", "diagnose", "export",    "trial",
+                                     "draw",     "fleet",      "project",  "report",    "figures"};
 /// The steps of diagnose, from the lowest: each may include itself and those before it. The catalogue is the top of
 /// effects/, and what lies in no folder is the top of all.
 const std::vector<std::string> steps{"model",  "effects", "catalogue", "simulate", "fit",
@@ -31,7 +31,7 @@ const std::string drivePort = "core/experiment/drive.h";
 const std::set<std::string> freestanding{"array", "bit", "cstddef", "cstdint", "limits", "span", "type_traits"};
 
 /// What trials stand on: they know the plant, but not the search.
-const std::set<std::string> belowTrial{"base", "friction", "recording", "plant", "trial"};
+const std::set<std::string> belowTrial{"base", "dense", "friction", "recording", "plant", "trial"};
 
 /// Of the link, the simulated boards: they alone know the plant.
 const std::vector<std::string> simulatedBoards{"firmware_link/simulated_", "firmware_link/board_faults.",
@@ -143,7 +143,7 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   if (rankOf(other) == rooms.size()) return "core stands on itself only";
   if (room == "diagnose" && other == room) return whyNotOnStair(path.substr(5), one.what);
   if (room == "trial" && !belowTrial.contains(other) && one.what != "motor/bench.h")
-    return "trials know only base, friction, recordings, the plant and the bench file";
+    return "trials know only base, dense systems, friction, recordings, the plant and the bench file";
   if (room == "draw" && other != "draw" && other != "base") return "drawing knows only base";
   if (room == "report" && other == "experiment") return "a report draws and writes, it moves nothing";
   if (other == "plant" && rankOf(room) > rankOf(other) && !knowsPlant(room))

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/verdict/next_experiment.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/dense_solve.h"
 #include "base/parallel.h"
+#include "dense/dense_solve.h"
 #include "diagnose/fit/motion.h"
 
 namespace breakaway {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/dense_solve.h"
 #include "base/statistics.h"
+#include "dense/dense_solve.h"
 
 namespace breakaway {
 

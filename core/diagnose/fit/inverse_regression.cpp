@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {

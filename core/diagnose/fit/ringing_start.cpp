@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "diagnose/simulate/physics.h"
 #include "motor/bench.h"
 

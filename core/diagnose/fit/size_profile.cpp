@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "diagnose/effects/catalogue.h"
 
 namespace breakaway {

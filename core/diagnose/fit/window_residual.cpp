@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "base/dense_solve.h"
 #include "base/numbers.h"
+#include "dense/dense_solve.h"
 
 namespace breakaway {
 

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 
-#include "base/dense_solve.h"
 #include "base/distributions.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
+#include "dense/dense_solve.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "diagnose/simulate/drive_reading.h"
 #include "diagnose/simulate/physics.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 
 namespace breakaway {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/settle_motion.h"
 

@@ -1,4 +1,4 @@
-#include "base/dense_solve.h"
+#include "dense/dense_solve.h"
 
 #include <Eigen/Dense>
 
