@@ -372,7 +372,7 @@ void TestCommissionResume::controlC_endsTheCommandInOrder() {
   QProcess process;
   process.start(test::builtProgram("breakaway"), {"commission", "--turns", "20", "--out", out});
   QVERIFY(process.waitForStarted());
-  for (int k = 0; k < 1000 && !QFile::exists(out + "/progress/breakaways.json"); ++k) QTest::qSleep(20);
+  for (int k = 0; k < 6000 && !QFile::exists(out + "/progress/breakaways.json"); ++k) QTest::qSleep(20);
   QVERIFY(QFile::exists(out + "/progress/breakaways.json"));
   QCOMPARE(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
   QVERIFY(process.waitForFinished(30000));
