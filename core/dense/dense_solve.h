@@ -1,5 +1,6 @@
-// Dense systems of equations, by Eigen's decompositions. Where a source uses one itself, it takes ten seconds more to
-// compile: they are all compiled in one place.
+// Dense systems of real equations, by Eigen's decompositions. A source that uses one itself takes ten seconds more to
+// compile: here each is compiled once. Sources have their own where numbers are complex, where a factor serves several
+// right-hand sides, and in the innermost loops.
 #pragma once
 
 #include <Eigen/Core>

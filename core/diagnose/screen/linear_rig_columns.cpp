@@ -1,6 +1,6 @@
 // What a torque, a shown angle, a voltage or a measured current that an effect adds changes in each row of the
 // regression.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "diagnose/screen/effect_traces.h"

@@ -12,7 +12,9 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostContinued = 4, mostWaves = 4;
-constexpr size_t enoughWindows = 12, fewestOneIn = 3, mostFitted = 6;
+constexpr size_t windowsToRank = 12;  ///< that tell at least what explains little
+constexpr size_t mostThinned = 3;     ///< one window in so many, where there are more
+constexpr size_t mostFitted = 6;      ///< more than are continued: a part may rank them otherwise
 
 /// One in so many of the windows that a search fits.
 class Part {
@@ -119,7 +121,7 @@ FitResult Adoption::alone(const SetFits& fits, const FitResult& base, const Scre
 /// Effects alone in a simulation, the one that leaves least first. Most explain little, which a part of the windows
 /// tells: only the best are fitted to all. What shows in a few windows only may be missing in that part.
 std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
-  const Part part(input_.split, std::min(input_.split.train.size() / enoughWindows, fewestOneIn));
+  const Part part(input_.split, std::min(input_.split.train.size() / windowsToRank, mostThinned));
   const SearchInput partly(input_, part.split(), part.of(input_.windowWeights));
   FitResult partOfBase = base;
   partOfBase.windowSquares = part.of(base.windowSquares);

@@ -12,7 +12,8 @@ namespace breakaway {
 class SetFits {
  public:
   SetFits(const SearchInput& input, const FitResult& base);
-  /// The same on `input`, which has other windows of the same tracks, and the base's fit to them.
+  /// The same fits on `input`, which has some of the windows, and the base's squares in them. What helps is still
+  /// judged by all windows.
   SetFits(const SetFits& other, const SearchInput& input, const FitResult& base);
 
   /// Finds loadsMayShow(). `left`: what the base model leaves, taken for a torque that wanders.
