@@ -27,11 +27,13 @@ class Hand {
     window.move(0, 0);
     window.activateWindow();
   }
-  bool isAtTheWindow() { return QTest::qWaitForWindowActive(&window_, 10'000); }
+  bool isAtTheWindow() { return QTest::qWaitForWindowActive(&window_, patience_ms); }
 
+  /// As soon as it can be: whoever clicks waits until the page is there.
   void click(const char* button) {
     auto* found = named<QAbstractButton>(window_, button);
-    if (!found->isVisible() || !found->isEnabled()) qFatal("%s can't be clicked", button);
+    if (!QTest::qWaitFor([&] { return found->isVisible() && found->isEnabled(); }, patience_ms))
+      qFatal("%s can't be clicked", button);
     clickAt(*found, found->rect().center());
   }
   void clickAt(const QWidget& widget, QPoint at) {
@@ -83,9 +85,9 @@ void TestOnADisplay::newcomer_exportsAMap() {
   hand.goTo("Friction");
   named<QSpinBox>(desk.window, "bins")->setValue(36);
   named<QSpinBox>(desk.window, "turns")->setValue(2);
+  desk.session.connection.setPace(unhurried);  // else it is over while a busy machine looks elsewhere
   hand.click("breakawaySweepButton");
   QVERIFY(until([&] { return desk.session.bench.known().breakaways.size() >= 3; }));
-  desk.session.connection.setPace(unhurried);
   // A key stops the motor, and what was measured stays.
   hand.key("Escape");
   QVERIFY(until([&] { return !connection.run().running() && connection.stateWords() == "stopped"; }));
@@ -110,14 +112,13 @@ void TestOnADisplay::aFieldIsTypedIn_andAStepIsChosenByKeys() {
   hand.goTo("Friction");
   auto* bins = named<QSpinBox>(desk.window, "bins");
   hand.clickAt(*bins, QPoint(12, bins->height() / 2));
-  QTRY_VERIFY(bins->hasFocus());
+  QVERIFY(until([&] { return bins->hasFocus(); }));
   hand.key("ctrl+a");
   hand.type("48");
   hand.key("Tab");
-  QCOMPARE(bins->value(), 48);
-  QVERIFY(!bins->hasFocus());
+  QVERIFY(until([&] { return bins->value() == 48 && !bins->hasFocus(); }));
   hand.key("ctrl+1");
-  QTRY_COMPARE(named<Rail>(desk.window, "steps")->currentRow(), 0);
+  QVERIFY(until([&] { return named<Rail>(desk.window, "steps")->currentRow() == 0; }));
 }
 
 JOURNEY_MAIN(TestOnADisplay)

@@ -59,6 +59,21 @@ struct Desk {
     window.showLive(true);
     session.connection.adopt(std::make_unique<SmallDrive>(witness), "small");
   }
+  /// Whether it turns and the window answers in time. A stall of the machine's own counts as one of the window's, also
+  /// while the motor starts: then it starts again.
+  bool turningUnderAWatch() {
+    for (int start = 0; start < 20; ++start) {
+      if (!turning()) continue;
+      int prompt = 0;
+      for (int look = 0; look < 50 && prompt < 3; ++look) {
+        const auto asked = std::chrono::steady_clock::now();
+        QTest::qWait(20);
+        prompt = std::chrono::steady_clock::now() - asked < std::chrono::milliseconds(50) ? prompt + 1 : 0;
+      }
+      if (prompt == 3 && witness->powered) return true;
+    }
+    return false;
+  }
   bool turning() {
     session.bench.turnSlowly();
     return QTest::qWaitFor([this] { return witness->powered && std::abs(witness->velocity_rad_per_s) > 0.5; }, 5000);
@@ -135,13 +150,7 @@ void TestStop::returnPressesAButton() {
 
 void TestStop::blockedWindow_stopsTheMotor() {
   Desk desk(0.25);
-  QVERIFY(desk.turning());
-  // A stall of the machine's own just before counts as well: begin where the window has answered in time.
-  for (int prompt = 0; prompt < 3;) {
-    const auto asked = std::chrono::steady_clock::now();
-    QTest::qWait(20);
-    prompt = std::chrono::steady_clock::now() - asked < std::chrono::milliseconds(50) ? prompt + 1 : 0;
-  }
+  QVERIFY(desk.turningUnderAWatch());
   const auto start = std::chrono::steady_clock::now();
   double took_s = 0.0;
   std::thread looking([&] {
@@ -162,7 +171,7 @@ void TestStop::starvedMachine_isToldFromAHungWindow() {
   if (!WatchedThread().ran_s()) QSKIP("the system doesn't tell how a thread fares");
   cpu_set_t before, one;
   QVERIFY(::sched_getaffinity(0, sizeof before, &before) == 0);
-  QVERIFY(desk.turning());
+  QVERIFY(desk.turningUnderAWatch());
   CPU_ZERO(&one);
   CPU_SET(::sched_getcpu(), &one);
   std::atomic<bool> busy{true};

@@ -152,7 +152,7 @@ void TestHonestRig::boardThatCannotStraighten_commissionsAllTheSame() {
 void TestHonestRig::straightBridge_isLeftAlone() {
   CommissionOptions options = quick();
   options.motorOnly = true;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (unsigned seed = 1; seed <= test::seedsToTry(3); ++seed) {
     test::TemporaryFolder folder;
     const auto done = commissioned("simulated:" + folder.write("servo.rig.json", servo("")), options, seed);
     VERIFY_OK(done);

@@ -3,8 +3,11 @@
 
 #include <QElapsedTimer>
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "diagnose/diagnosis.h"
 #include "support/recorded_rig.h"
@@ -28,6 +31,18 @@ inline Diagnosis diagnosed(const RigRecording& wanted) {
   if (!diagnosis) qFatal("%s", diagnosis.error().message().c_str());
   qInfo("seed %u, %lld ms: %s", wanted.seed, static_cast<long long>(timer.elapsed()), inWords(*diagnosis).c_str());
   return *diagnosis;
+}
+
+/// Under sanitizers the beginning of a recording, whose numbers nobody should look at; else all of it.
+inline Recording partToFit(const Recording& whole) {
+  const auto time = whole.time();
+  const double last_s = time.front() + secondsToFit(time.back() - time.front());
+  const auto rows = std::upper_bound(time.begin(), time.end(), last_s) - time.begin();
+  std::vector<Channel> channels = whole.channels();
+  for (Channel& channel : channels) channel.values.resize(static_cast<size_t>(rows));
+  const auto part = Recording::seal(whole.name(), std::move(channels), whole.notes());
+  if (!part) qFatal("%s", part.error().message().c_str());
+  return *part;
 }
 
 /// The finding's parameter; NaN when it has none of that name.

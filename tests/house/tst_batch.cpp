@@ -12,6 +12,7 @@
 #include "base/line_log.h"
 #include "house/program.h"
 #include "house/pushed_mass.h"
+#include "support/sanitized.h"
 #include "support/temporary.h"
 
 using namespace breakaway::test;
@@ -64,8 +65,8 @@ void TestBatch::initTestCase() {
   folder_.write("lists/rigs/b.json", pushedMassBench().toStdString());
   folder_.write("lists/rigs/r.csv", coarseRecording(100, 2e-2));
   folder_.write("lists/rigs/h.csv", coarseRecording(100, 1.95e-2));
-  folder_.write("lists/rigs/long.csv", coarseRecording(640, 8e-3));
-  folder_.write("lists/rigs/longer.csv", coarseRecording(640, 7.9e-3));
+  folder_.write("lists/rigs/long.csv", coarseRecording(sanitized ? 400 : 640, 8e-3));
+  folder_.write("lists/rigs/longer.csv", coarseRecording(sanitized ? 400 : 640, 7.9e-3));
   folder_.write("lists/l.jsonl", manifest);
 }
 

@@ -5,8 +5,10 @@
 
 #include "base/random.h"
 #include "identify/motor_identification.h"
+#include "support/sanitized.h"
 
 using namespace breakaway;
+using test::sanitized, test::seedsToTry;
 
 class TestBridgeFit : public QObject {
   Q_OBJECT
@@ -68,7 +70,7 @@ BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A,
 }  // namespace
 
 void TestBridgeFit::bentBridge_isFoundWithResistanceAndBackEmf() {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(5); ++seed) {
     const auto fit = fitBridge(tests(bent, 0.5, 1.0, seed));
     QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
     QVERIFY2(std::abs(fit->resistance_ohm.value / R - 1.0) < 0.005,
@@ -83,18 +85,18 @@ void TestBridgeFit::bentBridge_isFoundWithResistanceAndBackEmf() {
 
 void TestBridgeFit::curvesIntervals_holdTheTruth() {
   int held = 0, points = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(10); ++seed) {
     const auto fit = fitBridge(tests(bent, 0.5, 1.0, seed));
     QVERIFY(fit.ok());
     held += fit->resistance_ohm.low95() <= R && R <= fit->resistance_ohm.high95() ? 1 : 0;
     held += fit->backEmfConstant_V_s_per_rad.low95() <= Ke && Ke <= fit->backEmfConstant_V_s_per_rad.high95() ? 1 : 0;
     points += 2;
   }
-  QVERIFY2(held >= points - 4, qPrintable(QString::number(held)));
+  QVERIFY2(sanitized || held >= points - 4, qPrintable(QString::number(held)));
 }
 
 void TestBridgeFit::straightBridge_hasNoCurve() {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(10); ++seed) {
     const auto fit = fitBridge(tests(straight, 0.5, 1.0, seed));
     QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
     QVERIFY(!fit->curve.known());
@@ -108,7 +110,7 @@ void TestBridgeFit::coarseEncoder_leavesTheResistanceAlone() {
   constexpr double count_rad = 0.03;
   int held = 0;
   double mistaken = 0.0;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(10); ++seed) {
     BridgeTests coarse = tests(straight, 0.5, 0.15, seed);
     for (SpinBlock& block : coarse.moving[0]) block.angle_rad = count_rad * std::floor(block.angle_rad / count_rad);
     const auto plain = fitBridge(coarse);
@@ -122,7 +124,7 @@ void TestBridgeFit::coarseEncoder_leavesTheResistanceAlone() {
     QVERIFY(std::abs(Ke_found.value / Ke - 1.0) < 0.002);
     held += found.low95() <= R && R <= found.high95() ? 1 : 0;
   }
-  QVERIFY2(held >= 8, qPrintable(QString::number(held)));
+  QVERIFY2(sanitized || held >= 8, qPrintable(QString::number(held)));
   QVERIFY2(mistaken > 0.05, qPrintable(QString::number(mistaken)));
 }
 
@@ -144,7 +146,7 @@ void TestBridgeFit::alwaysTheSameCurrent_isRefusedInWords() {
 /// The current hardly differs, and a constant by a straight line beyond the dead zone is off by what the bridge bends.
 void TestBridgeFit::curveThatCantBeTold_leavesTheBackEmfOpen() {
   int untold = 0, straightHeld = 0, held = 0;
-  for (unsigned seed = 1; seed <= 16; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(16); ++seed) {
     BridgeTests same = tests(bentFar, 0.4, 0.005, seed);
     same.standing.clear();
     const auto any = backEmfOfAnyCurve(same);
@@ -172,7 +174,7 @@ void TestBridgeFit::curveThatCantBeTold_leavesTheBackEmfOpen() {
     QCOMPARE(motor.torqueConstant_Nm_per_A.standardError, motor.backEmfConstant_V_s_per_rad.standardError);
     held += holds() ? 1 : 0;
   }
-  QVERIFY2(untold >= 5 && straightHeld <= untold / 4 && held >= untold - 1,
+  QVERIFY2(sanitized || (untold >= 5 && straightHeld <= untold / 4 && held >= untold - 1),
            qPrintable(QString("of %1: %2, %3").arg(untold).arg(straightHeld).arg(held)));
 }
 
@@ -189,7 +191,7 @@ void TestBridgeFit::supplyThatFallsUnseen_leavesTheBackEmfAlone() {
   QFETCH(double, sag);
   QFETCH(double, count_rad);
   int held = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= seedsToTry(10); ++seed) {
     BridgeTests seen = tests(straight, 0.7, 1.0, seed, sag);
     seen.count_rad = count_rad;
     for (SpinBlock& block : seen.moving[0])
@@ -202,7 +204,7 @@ void TestBridgeFit::supplyThatFallsUnseen_leavesTheBackEmfAlone() {
     QVERIFY(found.standardError < 0.002 * Ke);
     held += found.low95() <= Ke && Ke <= found.high95() ? 1 : 0;
   }
-  QVERIFY2(held >= 8, qPrintable(QString::number(held)));
+  QVERIFY2(sanitized || held >= 8, qPrintable(QString::number(held)));
 }
 
 QTEST_APPLESS_MAIN(TestBridgeFit)
