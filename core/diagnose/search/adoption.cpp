@@ -102,24 +102,29 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   }
 }
 
-/// `effect` alone in a simulation, from the screen's sizes or from any.
-FitResult Adoption::alone(const SetFits& fits, const FitResult& base, const Screen& screen,
-                          const Effect& effect) const {
-  const double left = mean(base.windowSquares);
+/// An effect as the screen sizes it, or as it is at first.
+Pick Adoption::pickOf(const Screen& screen, const Effect& effect) const {
   Pick pick = screen.best(effect, {});
   if (pick.parameters.empty()) {
     pick.effect = &effect;
     pick.shape = effect.shapes(input_.seen).front();
     pick.parameters = pick.shape.front();
   }
-  FitResult fit = fits.beside(base.model, screen, {pick}, left);
+  return pick;
+}
+
+/// `effect` alone in a simulation, from the base model or from the screen's.
+FitResult Adoption::alone(const FitResult& base, const Screen& screen, const Effect& effect) const {
+  const double left = mean(base.windowSquares);
+  const Pick pick = pickOf(screen, effect);
+  FitResult fit = fits_.beside(base.model, screen, {pick}, left);
   if (fit.usable && mean(fit.windowSquares) <= limits_.farLess * left) return fit;
-  FitResult other = fits.together(screen, {pick});
+  FitResult other = fits_.together(screen, {pick});
   return other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares)) ? other : fit;
 }
 
 /// Effects alone in a simulation, the one that leaves least first. Most explain little, which a part of the windows
-/// tells: only the best are fitted to all. What shows in a few windows only may be missing in that part.
+/// tells from one start: only the best are fitted to all. What shows in a few windows only may be missing in that part.
 std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
   const Part part(input_.split, std::min(input_.split.train.size() / windowsToRank, mostThinned));
   const SearchInput partly(input_, part.split(), part.of(input_.windowWeights));
@@ -132,7 +137,8 @@ std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Sc
     if (input_.stop.stop_requested()) break;
     if (effect->shapes(input_.seen).empty() || effect->load() != nullptr) continue;
     const bool whole = part.isAll() || effect->happensOnce() || effect->growsAtRest();
-    FitResult fit = whole ? alone(fits_, base, screen, *effect) : alone(onPart, partOfBase, screen, *effect);
+    FitResult fit =
+        whole ? alone(base, screen, *effect) : onPart.beside(base.model, screen, {pickOf(screen, *effect)}, leftOfPart);
     if (!fit.usable) continue;
     if (whole) {
       tried.push_back({effect, std::move(fit)});
@@ -143,7 +149,7 @@ std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Sc
   sortByLeft(sketched);
   if (sketched.size() > mostFitted) sketched.resize(mostFitted);
   for (Tried& one : sketched) {
-    one.fit = alone(fits_, base, screen, *one.effect);
+    one.fit = alone(base, screen, *one.effect);
     if (one.fit.usable) tried.push_back(std::move(one));
   }
   sortByLeft(tried);

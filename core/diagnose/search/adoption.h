@@ -50,7 +50,8 @@ class Adoption {
   };
 
   std::vector<Tried> eachAlone(const FitResult& base, const Screen& screen) const;
-  FitResult alone(const SetFits& fits, const FitResult& base, const Screen& screen, const Effect& effect) const;
+  Pick pickOf(const Screen& screen, const Effect& effect) const;
+  FitResult alone(const FitResult& base, const Screen& screen, const Effect& effect) const;
   FitResult toItsEnd(FitResult fit, double before) const;
   std::optional<SearchResult> bestTwo(const FitResult& base, const std::vector<Tried>& tried) const;
   FitResult withFurtherWaves(FitResult fit, const Effect& effect) const;
