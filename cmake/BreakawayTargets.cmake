@@ -136,7 +136,7 @@ function(breakaway_test_program name)
   set_target_properties(${base} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(${base} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/moc)
   target_link_libraries(${base} PRIVATE breakaway_options breakaway_test_support Qt6::Test ${ARGN})
-  target_compile_options(${base} PRIVATE -O1)  # as their kinds: what takes long is in the rooms
+  target_compile_options(${base} PRIVATE ${BREAKAWAY_TEST_OPTIMISATION})  # as their kinds: what takes long is in the rooms
   if(kind)
     breakaway_of_kind(${base} ${kind})
   endif()
