@@ -145,7 +145,7 @@ endfunction()
 # The tests that take longest, longest first: begun first, so that no core is idle in the end while one of them runs.
 set(breakaway_long_tests tst_diagnosis_quick tst_foreign_rigs tst_printed_commands tst_held_beliefs tst_commission
   tst_commission_wire tst_diagnose_noise tst_linear_journey tst_diagnose tst_diagnose_rigs tst_trial tst_wiring tst_commission_resume tst_compare_journey
-  tst_faults tst_batch)
+  tst_faults tst_batch tst_honest_rig tst_servo_law tst_check tst_skeleton tst_provenance tst_tune tst_fuzz_corpus)
 
 # breakaway_test(NAME LIBRARIES…): the same, run with all tests.
 function(breakaway_test name)
