@@ -29,11 +29,13 @@ class Hand {
   }
   bool isAtTheWindow() { return QTest::qWaitForWindowActive(&window_, patience_ms); }
 
-  /// As soon as it can be: whoever clicks waits until the page is there.
+  /// As soon as it can be: whoever clicks waits until the page is there and stands still (what a sweep found moves what
+  /// is below).
   void click(const char* button) {
     auto* found = named<QAbstractButton>(window_, button);
     if (!QTest::qWaitFor([&] { return found->isVisible() && found->isEnabled(); }, patience_ms))
       qFatal("%s can't be clicked", button);
+    standsStill(*found);
     clickAt(*found, found->rect().center());
   }
   void clickAt(const QWidget& widget, QPoint at) {
@@ -50,6 +52,12 @@ class Hand {
   void type(const char* text) { does({"type", text}); }
 
  private:
+  static void standsStill(const QWidget& widget) {
+    for (QPoint last(-1, -1), now = widget.mapToGlobal(QPoint()); now != last; now = widget.mapToGlobal(QPoint())) {
+      last = now;
+      QTest::qWait(200);
+    }
+  }
   static void does(const QStringList& words) {
     QProcess hand;
     hand.start("xdotool", words);

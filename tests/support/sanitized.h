@@ -15,7 +15,7 @@ inline constexpr bool sanitized = false;
 
 /// How much of a recording to fit that an optimised build fits whole.
 inline double secondsToFit(double seconds) {
-  return sanitized ? std::min(seconds, 4.0) : seconds;
+  return sanitized ? std::min(seconds, 6.0) : seconds;
 }
 
 /// How many seeds of `optimised`: another one takes the same way.
