@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "experiment/angle_cells.h"
 #include "experiment/velocity_sweep.h"
+#include "identify/friction_drift.h"
 #include "identify/shaft_load.h"
 
 namespace breakaway {
@@ -109,6 +110,11 @@ void remarkMap(Commission& known) {
     known.remark(words);
     known.map.remarks.push_back(words);
   }
+  const auto drift = frictionDrift(known.events);
+  const auto words = drift ? wordsOf(*drift) : std::nullopt;
+  if (!words) return;
+  known.remark(*words);
+  known.map.remarks.push_back(*words);
 }
 
 void takeAverages(Commission& known) {

@@ -22,6 +22,7 @@ class TestHonestRig : public QObject {
   void straightBridge_isLeftAlone();
   void discOfKnownInertia_givesTorquesWithoutATrustedGain();
   void sameDiscTwice_isRefused();
+  void axisThatWarms_isSaid();
   void motorFile_readsBackAsItWas();
   void sensorsWithTolerances_areMappedAllTheSame_data();
   void sensorsWithTolerances_areMappedAllTheSame();
@@ -193,6 +194,23 @@ void TestHonestRig::sameDiscTwice_isRefused() {
   VERIFY_ERROR(done, "added inertia: is the same as in the motor's file that it is held against, expected another one");
 }
 
+/// Its friction falls by a third while breakaways are measured.
+void TestHonestRig::axisThatWarms_isSaid() {
+  if (test::sanitized) QSKIP("a job like others");
+  test::TemporaryFolder folder;
+  std::string text = servo({});
+  text.insert(text.find('{') + 1,
+              R"("effects": [{"effect": "friction_warmup", "parameters": {"share": 1.5, "time_constant_s": 200}}],)");
+  const auto done = commissioned("simulated:" + folder.write("cold.rig.json", text), quick());
+  VERIFY_OK(done);
+  QVERIFY(says(*done, "What starts motion fell by"));
+  QVERIFY(std::any_of(done->map.remarks.begin(), done->map.remarks.end(),
+                      [](const std::string& remark) { return remark.find("measure again") != std::string::npos; }));
+  const auto warm = commissioned("simulated:servo", quick());
+  VERIFY_OK(warm);
+  QVERIFY(!says(*warm, "What starts motion"));
+}
+
 void TestHonestRig::motorFile_readsBackAsItWas() {
   test::TemporaryFolder folder;
   MotorRecord record{"a board", {}, {1.2e-4, 3e-7}};
@@ -218,7 +236,7 @@ void TestHonestRig::sensorsWithTolerances_areMappedAllTheSame_data() {
   QTest::addColumn<unsigned>("seed");
   size_t rows = 0;
   for (const unsigned seed : {9101u, 9102u})
-    if (test::alsoRun(rows++, 2)) QTest::newRow(std::to_string(seed).c_str()) << seed;
+    if (test::alsoRun(rows++, 4)) QTest::newRow(std::to_string(seed).c_str()) << seed;
 }
 
 void TestHonestRig::sensorsWithTolerances_areMappedAllTheSame() {
@@ -231,6 +249,7 @@ void TestHonestRig::sensorsWithTolerances_areMappedAllTheSame() {
   const auto done = commissioned(uri, options, seed);
   VERIFY_OK(done);
   verifyMap(*done, uri);
+  QVERIFY(!says(*done, "What starts motion"));
 }
 
 QTEST_APPLESS_MAIN(TestHonestRig)
