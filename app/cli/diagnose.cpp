@@ -61,6 +61,9 @@ void addDiagnose(CLI::App& app, Job& chosen) {
                    "folder for diagnosis.json, model.json, base_model.json, report.html and figures")
       ->required();
   command->add_option("--seed", line->seed, "seed of everything random")->capture_default_str();
+  command
+      ->add_option("--time", line->time_s, "seconds that it may take: the best answer within them; default: no limit")
+      ->check(CLI::PositiveNumber);
   addProjectOption(*command, *project);
   command->footer(
       "Examples:\n"

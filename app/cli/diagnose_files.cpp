@@ -8,9 +8,10 @@
 namespace breakaway::cli {
 
 Result<Diagnosis> diagnoseFiles(const DiagnosedFiles& files) {
+  DiagnoseOptions options;
+  options.time = TimeLimit(files.time_s);  // reading is part of it
   const auto in = readDiagnosisInputs(files.bench, files.recordings, files.heldout);
   if (!in) return in.error();
-  DiagnoseOptions options;
   options.seed = files.seed;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {

@@ -1,6 +1,7 @@
 // From the files of a rig to a diagnosis in a folder.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct DiagnosedFiles {
   std::string bench, out;
   std::vector<std::string> recordings, heldout;
   unsigned seed = 1;
+  double time_s = std::numeric_limits<double>::infinity();  ///< what it may take
 };
 
 /// Reads the files, diagnoses from them alone and writes the folder; progress goes to a terminal.

@@ -60,6 +60,7 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
   setHead(tr("Compare"), tr("What a recording shows that its bench file doesn't declare, and the proof."));
   diagnose_ = addPrimary("diagnoseButton", tr("Diagnose"));
   cancel_ = addSecondary("cancelButton", tr("Cancel"), 104);
+  finish_ = addSecondary("finishButton", tr("Finish now"), 120);
   sealedTrial_ = addSecondary("sealedTrialButton", tr("Sealed trial"), 168);
   buildInputs();
   buildFindings();
@@ -148,6 +149,7 @@ void ComparePage::buildInputs() {
   connect(&trial_, &TrialRun::changed, this, &ComparePage::showTrial);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
   connect(cancel_, &QPushButton::clicked, &comparison_, &Comparison::cancel);
+  connect(finish_, &QPushButton::clicked, &comparison_, &Comparison::finishNow);
 }
 
 void ComparePage::buildBase() {
@@ -300,6 +302,8 @@ void ComparePage::showProgress() {
       diagnose_, tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
       comparison_.log().isOpen() ? tr("Open the log as a recording first, or leave it") : comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
+  setAvailable(finish_, running, tr("Weigh and prove what was found so far, and look no further"),
+               tr("No diagnosis is running"));
   if (!comparison_.diagnosis()) showHint();
   showState();
 }
@@ -319,7 +323,7 @@ void ComparePage::showHint() {
   read(comparison_.log().isOpen() ? tr("Check what each column is taken as; then open the log as a recording")
        : comparison_.diagnosis()  ? tr("Point at a plot to read it")
        : !comparison_.recording() ? tr("Open a bench file and a recording on the left, or the example")
-       : comparison_.diagnosing() ? tr("The diagnosis runs; Cancel ends it")
+       : comparison_.diagnosing() ? tr("The diagnosis runs; Finish now takes what was found so far, Cancel ends it")
        : !obstacle.isEmpty()      ? obstacle
                                   : tr("Diagnose finds what the bench file leaves out"));
 }

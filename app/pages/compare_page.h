@@ -81,6 +81,7 @@ class ComparePage : public Page {
   QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  QPushButton* finish_ = nullptr;
   QLabel* ticked_ = nullptr;
   ComparedPlots* plots_ = nullptr;
   LogPanel* log_ = nullptr;

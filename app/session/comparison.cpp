@@ -208,12 +208,14 @@ void Comparison::diagnose() {
   if (!obstacle().isEmpty()) return;
   forgetDiagnosis();
   stop_ = {};
+  time_ = TimeLimit();
   diagnosing_ = true;
   progress_ = 0.0;
   activity_ = tr("starting");
   const unsigned mine = wanted_;
   DiagnoseOptions options;
   options.stop = stop_.get_token();
+  options.time = time_;
   options.progress = [this, mine](double progress, const Message& activity) {
     QMetaObject::invokeMethod(
         this,
@@ -241,6 +243,10 @@ void Comparison::cancel() {
   ++wanted_;
   diagnosing_ = false;
   emit progressChanged();
+}
+
+void Comparison::finishNow() {
+  time_.end();
 }
 
 void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {

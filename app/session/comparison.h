@@ -67,6 +67,8 @@ class Comparison : public QObject {
 
   void diagnose();
   void cancel();
+  /// What was found so far is weighed and proved, and that is the answer.
+  void finishNow();
   /// Whether the effect takes part in the simulation that is shown.
   void include(const std::string& effect, bool included);
   bool includes(const std::string& effect) const { return !leftOut_.contains(effect); }
@@ -133,6 +135,7 @@ class Comparison : public QObject {
   std::optional<Recording> Comparison::*logged_ = nullptr;  ///< where the log goes
   QThreadPool pool_;
   std::stop_source stop_;
+  TimeLimit time_;
   std::optional<Bench> bench_;
   std::optional<Recording> recording_, mended_;
   std::optional<Recording> heldout_;

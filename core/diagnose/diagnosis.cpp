@@ -45,6 +45,14 @@ std::optional<Message> runAwayText(const Model& base, const Model& inverse, cons
       digitsText(*ratio), inertiaText(shown, base.axis));
 }
 
+Message cutRemark() {
+  return message("the time was over before all was looked for: there may be more");
+}
+
+Message unweighedRemark() {
+  return message("the time was over before all rivals were tried: those that weren't are listed, too");
+}
+
 Message inTorqueRemark(Axis axis) {
   return message(
       "the motion can't be foreseen from what drove it: errors are counted in the {} that it took, along the recorded "
@@ -65,6 +73,7 @@ struct Attempt {
   /// once.
   size_t farOff = 0;
   std::optional<Message> runAway;  ///< the base model did, and nothing was found
+  bool cut = false;                ///< SearchResult::cut
 };
 
 /// One diagnosis, with its clocks running.
@@ -108,7 +117,11 @@ class Diagnoser {
     diagnosis.firstNames = std::move(firstNames);
     diagnosis.named_s = named_s ? *named_s : elapsed_s();
     findPlaces(rest, diagnosis.model, *prepared, options_.seed);
-    diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
+    made.cut = diagnosis.cutShort = found->cut;
+    // What wasn't looked for may well be in the catalogue.
+    diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside() && !found->cut);
+    if (found->cut) diagnosis.remarks.push_back(cutRemark());
+    if (found->unweighed) diagnosis.remarks.push_back(unweighedRemark());
     addPlaces(diagnosis, rest, *prepared);
     made.farOff = farOff(diagnosis, *prepared);
     if (diagnosis.verdict == Verdict::outsideCatalogue && diagnosis.findings.empty())
@@ -176,6 +189,7 @@ class Diagnoser {
   SearchInput inputFor(const Preparation& prepared) const {
     SearchInput input(prepared, options_.seed);
     input.stop = options_.stop;
+    input.time = options_.time;
     input.progress = options_.progress;
     return input;
   }
@@ -249,7 +263,13 @@ Result<Diagnosis> diagnoseAsRead(const Bench& bench, const std::vector<Recording
     auto fitted = diagnoser.undecided({*usual->runAway}, false);
     return fitted ? std::move(fitted) : std::move(usual->diagnosis);
   }
-  if (usual->farOff < fewestFarOff) return std::move(usual->diagnosis);
+  if (usual->cut && usual->diagnosis.findings.empty()) {
+    auto fitted = diagnoser.undecided({message("the time was over before all was looked for: give it more")});
+    if (!fitted) return fitted.error();
+    fitted->cutShort = true;
+    return fitted;
+  }
+  if (usual->farOff < fewestFarOff || options.time.over(partToSearch)) return std::move(usual->diagnosis);
   // What happens once may lie in the very part that is kept for the proof.
   auto other = diagnoser.attempt(HeldOut::middle);
   if (!other || other->diagnosis.verdict == Verdict::nothingMissing || other->farOff >= usual->farOff)

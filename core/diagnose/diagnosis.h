@@ -9,6 +9,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "base/time_limit.h"
 #include "diagnose/fit/scale_check.h"
 #include "diagnose/fit/torque_noise.h"
 #include "diagnose/model/criteria.h"
@@ -49,7 +50,8 @@ struct Diagnosis {
   /// A column of the wrong scale or sign: then nothing is looked for, and the models are those of the recordings with
   /// that put right.
   std::optional<Misreading> misread;
-  Criteria criteria;  ///< by which it was decided
+  bool cutShort = false;  ///< DiagnoseOptions::time was over before all was looked for
+  Criteria criteria;      ///< by which it was decided
 };
 
 struct DiagnoseOptions {
@@ -57,6 +59,7 @@ struct DiagnoseOptions {
   double window_s = 0.5;
   Criteria criteria;  ///< by which it decides
   std::stop_token stop;
+  TimeLimit time;  ///< the best answer within it
   std::function<void(double progress, const Message& activity)> progress;
 };
 

@@ -225,6 +225,7 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
   json["named_s"] = d.named_s;
   json["elapsed_s"] = d.elapsed_s;
   json["cpu_s"] = d.cpu_s;
+  if (d.cutShort) json["cut_short"] = true;
   return json.dump(oneLine ? -1 : 2, ' ', false, Json::error_handler_t::replace);
 }
 

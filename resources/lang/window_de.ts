@@ -1610,8 +1610,16 @@
         <translation>Links eine Prüfstandsdatei und eine Aufzeichnung öffnen, oder das Beispiel</translation>
     </message>
     <message>
-        <source>The diagnosis runs; Cancel ends it</source>
-        <translation>Die Diagnose läuft; „Abbrechen“ beendet sie</translation>
+        <source>The diagnosis runs; Finish now takes what was found so far, Cancel ends it</source>
+        <translation>Die Diagnose läuft; „Abschließen“ nimmt, was bisher gefunden ist, „Abbrechen“ beendet sie</translation>
+    </message>
+    <message>
+        <source>Finish now</source>
+        <translation>Abschließen</translation>
+    </message>
+    <message>
+        <source>Weigh and prove what was found so far, and look no further</source>
+        <translation>Was bisher gefunden ist, abwägen und beweisen, und nicht weiter suchen</translation>
     </message>
     <message>
         <source>Diagnose finds what the bench file leaves out</source>

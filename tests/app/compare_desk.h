@@ -29,8 +29,10 @@ struct Desk {
     return QTest::qWaitFor([this] { return session.comparison.bench() && session.comparison.recording(); },
                            patience_ms);
   }
-  bool diagnosed() {
+  /// `soon`: finished at once, with what was found by then.
+  bool diagnosed(bool soon = false) {
     press(window, "diagnoseButton");
+    if (soon) press(window, "finishButton");
     return QTest::qWaitFor(
         [this] {
           return !session.comparison.baseTrace().position.empty() && !session.comparison.shownTrace().position.empty();

@@ -35,6 +35,7 @@ class TestCompareJourney : public QObject {
   void initTestCase();
   void example_isDiagnosed();
   void clicks_areAsTheManualCounts();
+  void finishing_takesWhatWasFoundByThen();
   void emps_isDiagnosed();
   void sealedTrial_isDiagnosedAndUnsealed();
   void nextExperiment_isRunOnTheBoardAndOpened();
@@ -229,6 +230,19 @@ void TestCompareJourney::clicks_areAsTheManualCounts() {
   QCOMPARE(hand.clicks, clicksSaid("a cause named, and proved"));
 }
 
+void TestCompareJourney::finishing_takesWhatWasFoundByThen() {
+  const QTemporaryDir folder;
+  Desk desk;
+  QVERIFY(openedExample(desk, folder));
+  QVERIFY(!named<QPushButton>(desk.window, "finishButton")->isEnabled());
+  QVERIFY(desk.diagnosed(true));
+  const Diagnosis& diagnosis = *desk.session.comparison.diagnosis();
+  QVERIFY(diagnosis.cutShort);
+  QCOMPARE(nameOf(diagnosis.verdict), std::string("undecided"));
+  QVERIFY2(inWords(diagnosis).find("give it more") != std::string::npos, inWords(diagnosis).c_str());
+  QVERIFY(!named<QPushButton>(desk.window, "finishButton")->isEnabled());
+}
+
 void TestCompareJourney::emps_isDiagnosed() {
   NEEDS_REAL_RECORDINGS();
   const QString folder = QString::fromStdString(realRecordings()) + "/emps/";
@@ -263,7 +277,7 @@ void TestCompareJourney::sealedTrial_isDiagnosedAndUnsealed() {
   QVERIFY(trial.isOpen());
   auto* unseal = named<QPushButton>(desk.window, "unsealButton");
   QVERIFY2(!unseal->isEnabled() && unseal->toolTip().startsWith("Diagnose first"), qPrintable(unseal->toolTip()));
-  QVERIFY(desk.diagnosed());
+  QVERIFY(desk.diagnosed(sanitized));
   press(desk.window, "unsealButton");
   QVERIFY(trial.truth());
   const QString said = named<QLabel>(desk.window, "trialWords")->text();

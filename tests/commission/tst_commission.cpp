@@ -152,7 +152,7 @@ void TestCommission::ownRecordings_contradictTheirBenchNowhere() {
 /// Slow turns whose friction changes along the way, held up by a controller: in motion, a body of twenty times the
 /// inertia would err least.
 void TestCommission::ownSlowTurns_showTheFrictionAroundTheRotor() {
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(test::likeOthers);
   const auto turns = std::find_if(servo_->recordings.begin(), servo_->recordings.end(),
                                   [](const auto& one) { return one.first.starts_with("07"); });
   QVERIFY(turns != servo_->recordings.end());

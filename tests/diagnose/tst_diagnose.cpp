@@ -23,6 +23,9 @@ class TestDiagnose : public QObject {
   void sensorsOffset_isNamed();
   void pushInThePartKeptForTheProof_isNamed();
   void sameSeed_givesTheSameDiagnosis_onOneCoreAsOnAll();
+  void timeThatIsOver_leavesWhatWasFoundByThen_data();
+  void timeThatIsOver_leavesWhatWasFoundByThen();
+  void timeThatIsShort_isKept();
   void missingChannel_isOneClearLine();
   void threeSeconds_areUndecidedWithTheirBaseParameters();
   void commandsStampedLate_areADelayBelowZero();
@@ -63,13 +66,13 @@ void TestDiagnose::severalWaves_areOneFinding_data() {
 }
 
 void TestDiagnose::severalWaves_areOneFinding() {
+  if (sanitized) QSKIP(likeOthers);
   QFETCH(QString, torque);
   QFETCH(QString, friction);
   QFETCH(QString, effect);
   QFETCH(QList<double>, sizes);
   const Diagnosis diagnosis =
       diagnosed({.positionTorque = torque.toStdString(), .waves = friction.toStdString(), .seconds = 30.0});
-  if (sanitized) return;
   QVERIFY2(nameOf(diagnosis.verdict) == "named", inWords(diagnosis).c_str());
   QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();
@@ -87,15 +90,15 @@ void TestDiagnose::severalWaves_areOneFinding() {
 void TestDiagnose::sensorsOffset_isNamed_data() {
   QTest::addColumn<double>("wander");  // of the friction
   QTest::newRow("alone") << 0.0;
-  if (!sanitized) QTest::newRow("under a torque that wanders") << 0.03;
+  QTest::newRow("under a torque that wanders") << 0.03;
 }
 
 /// What the current sensor shows moves nothing: neither what the torque does nor held-out positions speak against it.
 void TestDiagnose::sensorsOffset_isNamed() {
+  if (sanitized) QSKIP(likeOthers);
   QFETCH(double, wander);
   const Diagnosis diagnosis =
       diagnosed({.seconds = 20.0, .currentOffset_A = 0.03, .wander_Nm = wander * 0.012, .seed = 2});
-  if (sanitized) return;
   QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();
   QCOMPARE(finding.effect, std::string("current_sensor_offset"));
@@ -105,8 +108,8 @@ void TestDiagnose::sensorsOffset_isNamed() {
 
 /// The parts that train show nothing of it.
 void TestDiagnose::pushInThePartKeptForTheProof_isNamed() {
+  if (sanitized) QSKIP(likeOthers);
   const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .push_Nm = -0.006, .pushFrom_s = 17.0, .pushTo_s = 19.0});
-  if (sanitized) return;
   QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();
   QCOMPARE(finding.effect, std::string("external_disturbance"));
@@ -195,6 +198,55 @@ void TestDiagnose::dutyServesABenchThatVoltageDrives() {
   // What shares rows is refused all the same.
   const auto refused = diagnose(rig.bench, {duty}, {*Recording::seal("again.csv", channels)}, {});
   QVERIFY(!refused && refused.error().message().find("again.csv") != std::string::npos);
+}
+
+void TestDiagnose::timeThatIsOver_leavesWhatWasFoundByThen_data() {
+  QTest::addColumn<QString>("when");  // it is over
+  QTest::addColumn<QString>("verdict");
+  QTest::addColumn<bool>("cutShort");
+  QTest::addColumn<QString>("remark");
+  QTest::newRow("before anything is found") << "looking for what is missing"
+                                            << "undecided" << true << "give it more";
+  QTest::newRow("before all is found") << "looking for more"
+                                       << "ambiguous" << true << "there may be more";
+  QTest::newRow("before rivals are tried") << "weighing rivals"
+                                           << "ambiguous" << false << "those that weren't are listed";
+}
+
+void TestDiagnose::timeThatIsOver_leavesWhatWasFoundByThen() {
+  QFETCH(QString, when);
+  QFETCH(QString, verdict);
+  QFETCH(bool, cutShort);
+  QFETCH(QString, remark);
+  const auto rig = recordRig({.positionTorque = "[[12, 0.003, 1.1]]", .seconds = secondsToFit(20.0)});
+  DiagnoseOptions options;
+  options.progress = [&, time = options.time](double /*progress*/, const Message& activity) mutable {
+    if (activity.english() == when.toStdString()) time.end();
+  };
+  const auto diagnosis = diagnose(rig.bench, {rig.recording}, {}, options);
+  VERIFY_OK(diagnosis);
+  const std::string words = inWords(*diagnosis);
+  qInfo("%s", words.c_str());
+  QCOMPARE(diagnosis->cutShort, cutShort);
+  QCOMPARE(diagnosisJson(*diagnosis, true).find("cut_short") != std::string::npos, cutShort);
+  QVERIFY2(words.find(remark.toStdString()) != std::string::npos, words.c_str());
+  QVERIFY(!diagnosis->base.base.empty());
+  if (sanitized) return;
+  QVERIFY2(nameOf(diagnosis->verdict) == verdict.toStdString(), words.c_str());
+  QCOMPARE(diagnosis->findings.size(), size_t(verdict == "undecided" ? 0 : 1));
+  if (!diagnosis->findings.empty()) QCOMPARE(diagnosis->findings.front().effect, std::string("cogging"));
+}
+
+void TestDiagnose::timeThatIsShort_isKept() {
+  const auto rig = recordRig({.positionTorque = "[[12, 0.003, 1.1]]", .seconds = secondsToFit(20.0)});
+  DiagnoseOptions options;
+  options.time = TimeLimit(0.0);
+  const auto soon = diagnose(rig.bench, {rig.recording}, {}, options);
+  VERIFY_OK(soon);
+  const auto whole = diagnose(rig.bench, {rig.recording}, {}, {});
+  VERIFY_OK(whole);
+  QVERIFY(soon->cutShort && !whole->cutShort);
+  QVERIFY2(soon->cpu_s < whole->cpu_s, qPrintable(QString("%1 s of %2").arg(soon->cpu_s).arg(whole->cpu_s)));
 }
 
 void TestDiagnose::missingChannel_isOneClearLine() {

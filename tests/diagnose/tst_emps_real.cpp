@@ -7,6 +7,7 @@
 #include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
 #include "support/real_recordings.h"
+#include "support/sanitized.h"
 #include "support/temporary.h"
 #include "support/within.h"
 
@@ -59,6 +60,7 @@ void TestEmpsReal::inverseFit_reproducesThePublishedParameters() {
 
 void TestEmpsReal::diagnosis_namesViscousAsymmetryAndProvesIt() {
   NEEDS_REAL_RECORDINGS();
+  if (test::sanitized) QSKIP(test::likeOthers);
   const auto diagnosis = diagnose(bench(), {recording()}, {}, {});
   VERIFY_OK(diagnosis);
   QVERIFY2(diagnosis->verdict == Verdict::named, inWords(*diagnosis).c_str());

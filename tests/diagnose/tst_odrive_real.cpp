@@ -43,7 +43,7 @@ double holdingCurrent_A(const std::string& folder, double order) {
 
 void TestOdriveReal::diagnosis_namesCoggingAndProvesIt() {
   NEEDS_REAL_RECORDINGS();
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(test::likeOthers);
   const std::string folder = test::realRecordings() + "/odrive_cogging/";
   const auto bench = readBench(folder + "odrive.bench.json");
   const auto recording = readCsv(folder + "slow2_nocomp_0.csv");

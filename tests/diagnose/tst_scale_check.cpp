@@ -161,7 +161,7 @@ void TestScaleCheck::wrongTorqueConstant_isTheBenchs_data() {
   QTest::addColumn<bool>("both");
   size_t row = 0;
   for (const double factor : {1000.0, 9.5493, 57.29578}) {
-    if (!alsoRun(row++, 3)) continue;
+    if (!alsoRun(row++, 6)) continue;
     QTest::addRow("Kt and Ke, %g", factor) << factor << true;
     QTest::addRow("Kt, %g", factor) << factor << false;
   }
@@ -296,7 +296,7 @@ void TestScaleCheck::soundTrials_getNoHeadline_data() {
 
 void TestScaleCheck::soundTrials_getNoHeadline() {
   QFETCH(QString, family);
-  for (std::uint64_t seed = 1; seed <= seedsToTry(2); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (thorough() ? 2 : 1); ++seed) {
     const SealedTrial trial = makeTrial(family.toStdString(), seed, {.duration_s = 12.0});
     const auto check = checkScales(trial.bench, trial.recordings);
     if (!check) continue;

@@ -149,12 +149,12 @@ void TestServoLaw::bench_refusesWhatIsNoLaw() {
 void TestServoLaw::soundServo_isSound_data() {
   QTest::addColumn<double>("delay_s");
   QTest::addColumn<QString>("trusted");
-  QTest::newRow("at once, gains trusted") << 0.0 << QString::fromStdString(trustedKp);
+  if (thorough()) QTest::newRow("at once, gains trusted") << 0.0 << QString::fromStdString(trustedKp);
   QTest::newRow("12 ms late, nothing trusted") << 0.012 << "";
 }
 
 void TestServoLaw::soundServo_isSound() {
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(likeOthers);
   QFETCH(double, delay_s);
   QFETCH(QString, trusted);
   Joint joint;
@@ -185,7 +185,7 @@ void TestServoLaw::loadedServo_isLoaded() {
 }
 
 void TestServoLaw::limit_clips() {
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(likeOthers);
   Joint joint;
   joint.limit = 4.0;
   const auto diagnosis =
@@ -196,7 +196,7 @@ void TestServoLaw::limit_clips() {
 }
 
 void TestServoLaw::model_simulatesFromTheReferenceAlone() {
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(likeOthers);
   Joint joint;
   joint.delay_s = 0.004;
   const Recording recording = recordedJoint(joint);

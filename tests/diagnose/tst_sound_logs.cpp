@@ -56,6 +56,7 @@ void TestSoundLogs::plainMotor_lacksNothing() {
 
 /// How late the winding is after a step must not be taken for torque.
 void TestSoundLogs::drivenInSteps_wandersAsItDoes() {
+  if (test::sanitized) QSKIP(test::likeOthers);
   const test::PlainMotorLog log = test::plainMotorLog(27, test::LogKind::imperfect);
   const auto diagnosis = diagnose(log.bench, {test::partToFit(log.recording)}, {}, {});
   if (!diagnosis) qFatal("%s", diagnosis.error().message().c_str());

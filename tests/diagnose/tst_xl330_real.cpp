@@ -27,7 +27,7 @@ class TestXl330Real : public QObject {
 
 void TestXl330Real::gearAndIron_areBothNamed() {
   NEEDS_REAL_RECORDINGS();
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(test::likeOthers);
   std::vector<Recording> recordings;
   for (const char* motion : {"lift_and_drop", "sin_time_square", "up_and_down"}) {
     for (const char* gain : {"100", "400", "800"}) recordings.push_back(read(std::string(motion) + "_kp" + gain));
@@ -49,7 +49,7 @@ void TestXl330Real::gearAndIron_areBothNamed() {
 /// rival comes with it.
 void TestXl330Real::rival_isListedOnce() {
   NEEDS_REAL_RECORDINGS();
-  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  if (test::sanitized) QSKIP(test::likeOthers);
   const auto diagnosis = diagnose(bench(),
                                   {read("lift_and_drop_kp400"), read("up_and_down_kp400"),
                                    read("sin_time_square_kp400"), read("up_and_down_kp100")},

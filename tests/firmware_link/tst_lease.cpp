@@ -26,6 +26,7 @@
 #include "firmware_link/board_link.h"
 #include "firmware_link/simulated_firmware.h"
 #include "support/firmware_stream.h"
+#include "support/sanitized.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -296,6 +297,7 @@ void TestLease::hostThatIsLost_stopsTheBoardInEveryState() {
   QFETCH(Make, make);
   QFETCH(int, states);
   constexpr std::array<int, 3> moments{1, 60, 700};  // ticks since the state began
+  const size_t tried = sanitized ? 1 : moments.size();
   Host host(make());
   std::map<std::string, int> lasted;  // the longest that each state has lasted, ticks
   std::string state;
@@ -309,7 +311,8 @@ void TestLease::hostThatIsLost_stopsTheBoardInEveryState() {
     int& longest = lasted[state];
     if (since <= longest && since > 0) continue;
     longest = since;
-    if (std::find(moments.begin(), moments.end(), since) == moments.end()) continue;
+    const auto last = moments.begin() + static_cast<std::ptrdiff_t>(tried);
+    if (std::find(moments.begin(), last, since) == last) continue;
     for (const auto loss : {Host::Loss::frozen, Host::Loss::killed, Host::Loss::pulledCable}) {
       const std::string wrong = outcomeOf(host, loss);
       ++losses;

@@ -61,7 +61,7 @@ void TestTrial::everyFamily_isRecordedMovesAndIsReadBack_data() {
   QTest::addColumn<QString>("family");
   size_t rows = 0;
   for (const std::string& family : trialFamilies())
-    if (test::alsoRun(rows++, 3)) QTest::newRow(family.c_str()) << QString::fromStdString(family);
+    if (test::alsoRun(rows++, 6)) QTest::newRow(family.c_str()) << QString::fromStdString(family);
 }
 
 void TestTrial::everyFamily_isRecordedMovesAndIsReadBack() {

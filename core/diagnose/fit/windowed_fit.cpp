@@ -188,19 +188,20 @@ class PriorCost final : public ceres::CostFunction {
   double weight_;
 };
 
-/// Ends on request, and where a step that is no better hardly differs: shorter ones would drown in what evaluation
-/// itself changes, which moves each window's start on.
+/// Ends on request or when its time is over, and where a step that is no better hardly differs: shorter ones would
+/// drown in what evaluation itself changes, which moves each window's start on.
 class Ending final : public ceres::IterationCallback {
  public:
-  explicit Ending(std::stop_token stop) : stop_(std::move(stop)) {}
+  Ending(std::stop_token stop, TimeLimit time) : stop_(std::move(stop)), time_(std::move(time)) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
     if (stop_.stop_requested()) return ceres::SOLVER_ABORT;
     const bool alike = !step.step_is_successful && std::abs(step.cost_change) < hardlyDiffers * step.cost;
-    return alike ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    return alike || time_.over() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
   std::stop_token stop_;
+  TimeLimit time_;
 };
 
 /// A step that fails is tried again: nothing to print. Set once, for fits may run side by side.
@@ -242,7 +243,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   solver.function_tolerance = options.tolerance;
   solver.parameter_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;
-  Ending ending(options.stop);
+  Ending ending(options.stop, options.time);
   solver.callbacks.push_back(&ending);
   ceres::Solver::Summary summary;
   silenceSolver();

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "base/time_limit.h"
 #include "diagnose/fit/parameter_vector.h"
 #include "diagnose/fit/window_residual.h"
 
@@ -18,6 +19,7 @@ struct FitOptions {
   std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
   std::optional<Weights> weights;  ///< another fit's, for squares that compare with its; or else of the start's errors
   std::stop_token stop;
+  TimeLimit time;  ///< when it is over, what was come to is the answer
 };
 
 /// A window's residual and its derivative by the parameters, as the fit leaves them.

@@ -93,7 +93,7 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
 
 void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   for (const Pick& pick : bestAlone(screen, limits_)) {
-    if (!result.chosen.empty()) return;
+    if (!result.chosen.empty() || input_.enough()) return;
     adoptSet(result, screen, {pick});
     // An effect with two ends may fit only with both. Of waves the screen has already taken as many as it wants.
     if (!result.chosen.empty() || pick.shape.size() > 1 || !pick.effect->mayRepeat(input_.seen)) continue;
@@ -134,7 +134,7 @@ std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Sc
   const double leftOfPart = mean(partOfBase.windowSquares);
   std::vector<Tried> tried, sketched;
   for (const Effect* effect : screen.effects()) {
-    if (input_.stop.stop_requested()) break;
+    if (input_.enough()) break;
     if (effect->shapes(input_.seen).empty() || effect->load() != nullptr) continue;
     const bool whole = part.isAll() || effect->happensOnce() || effect->growsAtRest();
     FitResult fit =
@@ -149,6 +149,7 @@ std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Sc
   sortByLeft(sketched);
   if (sketched.size() > mostFitted) sketched.resize(mostFitted);
   for (Tried& one : sketched) {
+    if (input_.enough()) break;
     one.fit = alone(base, screen, *one.effect);
     if (one.fit.usable) tried.push_back(std::move(one));
   }
@@ -165,7 +166,7 @@ void Adoption::sortByLeft(std::vector<Tried>& tried) {
 /// One wave of several may leave more than any other effect would: those that are likely beside it are added while each
 /// leaves clearly less.
 FitResult Adoption::withFurtherWaves(FitResult fit, const Effect& effect) const {
-  for (bool more = true; more && !input_.stop.stop_requested();) {
+  for (bool more = true; more && !input_.enough();) {
     more = false;
     const std::vector<EffectTerm> terms = fit.model.effects;
     for (const EffectTerm& term : terms) {
@@ -198,7 +199,7 @@ void Adoption::addWaves(SearchResult& result) const {
 
 /// From far off a fit comes to its end late: it goes on while it leaves clearly less than before.
 FitResult Adoption::toItsEnd(FitResult fit, double before) const {
-  while (mean(fit.windowSquares) < limits_.clearlyLess * before && !input_.stop.stop_requested()) {
+  while (mean(fit.windowSquares) < limits_.clearlyLess * before && !input_.enough()) {
     before = mean(fit.windowSquares);
     FitResult further = fitModel(input_, fit.model, 10);
     if (further.usable && mean(further.windowSquares) < before) fit = std::move(further);
@@ -223,7 +224,7 @@ std::optional<SearchResult> Adoption::bestTwo(const FitResult& base, const std::
       Model both = tried[one].fit.model;
       const auto& further = tried[other].fit.model.effects;
       both.effects.insert(both.effects.end(), further.begin(), further.end());
-      if (remembers(both) || input_.stop.stop_requested()) continue;
+      if (remembers(both) || input_.enough()) continue;
       FitResult fit = toItsEnd(fits_.fresh(both), mean(tried[one].fit.windowSquares));
       if (!fit.usable || !plausible(fit.model, input_.seen) || mean(fit.windowSquares) >= least) continue;
       least = mean(fit.windowSquares);
@@ -297,7 +298,7 @@ void Adoption::listOtherLoads(SearchResult& result) const {
 /// The picks as a whole, or else the most important of them; where much is left, also with rivals in place, or the most
 /// important one alone.
 void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
-  while (!picks.empty()) {
+  while (!picks.empty() && !input_.enough()) {
     FitResult fit = fits_.together(screen, picks);
     if (fits_.worth().floors(fit) > limits_.nearFloor) {
       std::vector<std::vector<Pick>> others = exchanged(screen, picks);
@@ -334,6 +335,7 @@ void Adoption::adoptLoad(SearchResult& result, const Screen& screen) {
   std::vector<InPlace> left;
   const SwingingLoads loads(input_, fits_.worth(), result.base.model);
   for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
+    if (input_.enough()) break;
     FitResult fit = loads.fitted(pick);
     if (!fit.usable || !fits_.helps(result.base, fit)) continue;
     const double own = mean(fit.windowSquares);

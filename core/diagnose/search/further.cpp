@@ -112,6 +112,7 @@ bool Further::pushes(const SearchResult& before, const FitResult& fit, const Eff
 }
 
 bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
+  if (input_.enough()) return false;
   const Worth& worth = fits_.worth();
   std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
   const auto settled = [&] {
@@ -162,6 +163,7 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   Chosen chosen;
   double best = limits_.clearGain();
   for (const Pick& candidate : candidates) {
+    if (input_.enough()) break;
     if (swings(candidate) && winner && worth.floors(*winner) < limits_.settled) break;
     std::vector<Pick> together = picks;
     together.push_back(candidate);

@@ -181,7 +181,8 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
                        .tolerance = 1e-3,
                        .windowWeights = input.windowWeights,
                        .weights = {},
-                       .stop = input.stop});
+                       .stop = input.stop,
+                       .time = input.time});
   };
   FitResult fit = fitted(model);
   // The worse a start was, the more it holds its fit back: if the fit has come far below it, it goes on from there.
@@ -192,7 +193,12 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
 
 Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
   return fitWindows(vectorOf(input, model), input.tracks, input.split.trainScore,
-                    {.iterations = 8, .tolerance = tolerance, .windowWeights = {}, .weights = {}, .stop = input.stop})
+                    {.iterations = 8,
+                     .tolerance = tolerance,
+                     .windowWeights = {},
+                     .weights = {},
+                     .stop = input.stop,
+                     .time = input.time})
       .model;
 }
 
@@ -202,6 +208,7 @@ static FitResult withFurther(const SearchInput& input, FitResult base, const std
                              std::initializer_list<double> starts) {
   FitResult further;
   for (const double start : starts) {
+    if (input.enough()) break;
     Model model = base.model;
     model.base.push_back({name, start, start, start});
     FitResult fit = fitModel(input, model, 8);
@@ -227,7 +234,9 @@ static void fromOtherInertias(const SearchInput& input, FitResult& best) {
   for (const Track& track : input.tracks) noise = std::max(noise, track.readingNoise());
   const bool inMotion = input.split.train.front().errorIn == ErrorIn::motion;
   const bool follows = physicsOf(best.model).electrical;  // a current's torque shows the inertia in every row
-  if (!follows || !inMotion || input.freedom.holds(inertia) || best.rmse <= input.criteria.farOff * noise) return;
+  if (!follows || !inMotion || input.enough() || input.freedom.holds(inertia) ||
+      best.rmse <= input.criteria.farOff * noise)
+    return;
   const Model begun = best.model;
   double least = input.criteria.farLess * std::pow(fitModel(input, begun, 8).rmse, 2);  // all go on for as long
   for (const double factor : {1.0 / otherInertia, otherInertia}) {
@@ -261,6 +270,7 @@ static FitResult withLateness(const SearchInput& input, FitResult base) {
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   FitResult best;
   for (const Model& start : starts) {
+    if (!best.windows.empty() && input.enough()) break;
     FitResult fit = fitModel(input, start, 8);
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
@@ -297,7 +307,8 @@ static FitOptions polishOptions(const SearchInput& input, bool slow, const std::
           .exact = !slow,
           .windowWeights = slow ? input.windowWeights : windowWeights,
           .weights = {},
-          .stop = input.stop};
+          .stop = input.stop,
+          .time = input.time};
 }
 
 FitResult refineModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {

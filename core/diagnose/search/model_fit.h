@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/time_limit.h"
 #include "diagnose/fit/preparation.h"
 #include "diagnose/fit/split.h"
 #include "diagnose/fit/windowed_fit.h"
@@ -41,6 +42,7 @@ struct SearchSettings {
   Criteria criteria;
   std::uint64_t seed = 1;
   std::stop_token stop;
+  TimeLimit time;
   std::function<void(double, const Message&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
@@ -51,6 +53,9 @@ struct SearchSettings {
   bool mayTurnToTorque = false;           ///< the same, to errors in torque
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
 };
+
+/// What of a limited time goes into looking for effects, and until when they are weighed; the rest is for the proof.
+inline constexpr double partToSearch = 0.65, partToWeigh = 0.8;
 
 /// What a search runs on.
 struct SearchInput : SearchSettings {
@@ -63,6 +68,10 @@ struct SearchInput : SearchSettings {
       : SearchSettings(other), tracks(other.tracks), split(windows) {
     windowWeights = std::move(weights);
   }
+  /// Whether to look no further: what was found has to be weighed and proved, too, before the time is over.
+  bool enough() const { return stop.stop_requested() || time.over(partToSearch); }
+  /// Whether to weigh no further.
+  bool enoughWeighed() const { return stop.stop_requested() || time.over(partToWeigh); }
   void say(double part, const Message& activity) const {
     if (progress) progress(part, activity);
   }

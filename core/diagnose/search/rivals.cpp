@@ -111,6 +111,14 @@ std::vector<Pick> Rivals::whateverTheScreen(const SearchResult& result, size_t k
   return picks;
 }
 
+/// Whether there is no time to try it: then it is a rival, for all that is known.
+bool Rivals::listUntried(SearchResult& result, Chosen& chosen, const Effect* rival) const {
+  if (!input_.enoughWeighed()) return false;
+  result.unweighed = true;
+  if (!lists(chosen, rival)) chosen.rivals.push_back(rival);
+  return true;
+}
+
 /// Tries a rival in the place of a chosen effect, without which `left` remains; `best` are the validated errors of the
 /// best model.
 void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
@@ -119,6 +127,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   // Short windows, which found the chosen load, tell two loads apart better than long ones: no exchange here.
   const bool exchange = swings(result.best.model) && !swings(left.model);
   if (swings(rival) && (exchange || !fits_.loadsMayShow())) return;
+  if (listUntried(result, chosen, rival.effect)) return;
   // If the chosen effect has several waves, the rival may have as many.
   const size_t waves = wavesOf(result.best.model, *chosen.effect);
   Model start = with(input_, left.model, rival);
@@ -199,7 +208,7 @@ void Rivals::weighAlone(SearchResult& result) const {
     const Effect* alike = findEffect(name);
     if (lists(first, alike) || contains(result.chosen, alike) || alike->hidden() != nullptr) continue;
     const Pick pick = screen_.best(*alike, {});
-    if (pick.gain < limits_.half * ownPick.gain) continue;
+    if (pick.gain < limits_.half * ownPick.gain || listUntried(result, first, alike)) continue;
     if (!own) {
       const FitResult fit = aloneWith(ownPick);
       if (!fit.usable || !fits_.worth().helps(result.base, fit)) return;

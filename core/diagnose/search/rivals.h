@@ -21,6 +21,7 @@ class Rivals {
   std::vector<Pick> othersOf(const SearchResult& result, size_t k) const;
   std::vector<Pick> nearlyAsGood(const SearchResult& result, size_t k) const;
   std::vector<Pick> whateverTheScreen(const SearchResult& result, size_t k) const;
+  bool listUntried(SearchResult& result, Chosen& chosen, const Effect* rival) const;
   void tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
                   std::vector<double>& best) const;
   void weighAlone(SearchResult& result) const;

@@ -89,8 +89,10 @@ class Search {
       if (wandering != nullptr) backward(result);
     }
     const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
+    input_.say(0.45, message("looking for more"));
     const Further further(input_, *fits_, screen, adoption);
     for (int more = 0; more < mostFurther && further.find(result, found.chosen); ++more) backward(result);
+    result.cut = input_.enough();
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
@@ -177,6 +179,7 @@ class Search {
   void fromOtherStarts(SearchResult& result, const std::vector<Model>& starts) const {
     if (result.chosen.empty() || remembers(result.best.model) || worth().floors(result.best) <= limits().farOff) return;
     for (const Model& start : starts) {
+      if (input_.enough()) return;
       Model model = result.best.model;
       for (Parameter& one : model.base) {
         if (const auto value = start.baseValue(one.name)) one.value = *value;
@@ -192,6 +195,7 @@ class Search {
   void refine(SearchResult& result) const {
     if (remembers(result.best.model)) return;
     for (const Model& model : variantsOf(input_, result.best.model)) {
+      if (input_.enough()) return;
       FitResult fit = fitModel(input_, model, 8);
       if (fit.usable && mean(fit.windowSquares) < mean(result.best.windowSquares)) result.best = std::move(fit);
     }

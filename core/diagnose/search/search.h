@@ -43,6 +43,8 @@ struct SearchResult {
   TorqueNoise left;        ///< what base and chosen leave, taken for a torque that wanders
   TorqueNoise leftByBase;  ///< what the base leaves
   double adequate = std::numeric_limits<double>::infinity();  ///< SearchInput::adequate
+  bool cut = false;                                           ///< the time was over before all was looked for
+  bool unweighed = false;  ///< and before all rivals were tried: those that weren't are listed
 };
 
 /// The screen's effects are fitted together by simulation. An effect stays when without it the cross-validated error of

@@ -102,6 +102,7 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
   std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(input_, start);
   starts.push_back(fitShort(input_, start));
   for (const Model& other : starts) {
+    if (input_.enough()) break;
     FitResult slow = fresh(other);
     if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
   }
@@ -113,7 +114,7 @@ FitResult SetFits::beside(const Model& model, const Screen& screen, const std::v
   if (swings(pick)) return SwingingLoads(input_, worth_, model).fitted(pick);
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);
-  if (fit.usable && mean(fit.windowSquares) <= limits_.clearlyLess * left) return fit;
+  if (input_.enough() || (fit.usable && mean(fit.windowSquares) <= limits_.clearlyLess * left)) return fit;
   // A base model fitted without friction that grows at rest has too much friction in motion: start from the screen's.
   return fresh(pick.effect->growsAtRest() ? withScreenedBase(input_, start, screen.baseCoefficients(picks))
                                           : fitShort(input_, start));

@@ -179,7 +179,7 @@ std::vector<SwingingLoads::Shaped> SwingingLoads::bestOf(const std::vector<std::
                                                          const Pick& pick, const View& view, size_t most) const {
   std::vector<Shaped> best;
   for (const std::vector<double>& parameters : candidates) {
-    if (input_.stop.stop_requested()) break;
+    if (input_.enough()) break;
     Pick other = pick;
     other.parameters = parameters;
     if (!plausible(*other.effect, other.parameters, input_.seen)) continue;
@@ -207,7 +207,7 @@ void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const
     } else {
       other.parameters[p] *= by;
     }
-    if (input_.stop.stop_requested() || !plausible(*other.effect, other.parameters, input_.seen)) return false;
+    if (input_.enough() || !plausible(*other.effect, other.parameters, input_.seen)) return false;
     if (!input_.loadSteps->take(stepsOf(view.windows, other, runsPerStart))) return false;
     const double left = leftBy(other, view);
     if (!(left < best.left)) return false;
@@ -248,7 +248,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     sortByLeft(shapes);
     if (shapes.size() > viewed.fits) shapes.resize(viewed.fits);
     for (Shaped& shaped : shapes) {
-      if (shaped.left > limits_.clearlyLess || input_.stop.stop_requested()) break;
+      if (shaped.left > limits_.clearlyLess || input_.enough()) break;
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
       fitFrom(with(input_, model_, walked), walked);
