@@ -13,6 +13,7 @@
 #include "base/made.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/number_range.h"
 #include "firmware_link/transport/byte_address.h"
 #include "firmware_link/transport/open_byte_stream.h"
 #include "recording/csv.h"
@@ -88,7 +89,7 @@ void addBurst(CLI::App& app, Job& chosen) {
                                 "motor is stopped at its end. Without it the burst begins at once, the motor off")
                    ->check(CLI::IsMember({"voltage", "current", "velocity", "position"}));
   auto* target = command->add_option("--target", line->request.target, "of the command, in V, A, rad/s or rad")
-                     ->check(CLI::Range(-1e6, 1e6))
+                     ->check(numberIn(-1e6, 1e6))
                      ->needs(mode);
   mode->needs(target);
   command->footer(

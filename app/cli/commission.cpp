@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "cli/into_project.h"
+#include "cli/number_range.h"
 #include "commission/commission_progress.h"
 #include "commission/held_beliefs.h"
 #include "commission/motor_file.h"
@@ -277,10 +278,10 @@ void addCommission(CLI::App& app, Job& chosen) {
   command
       ->add_option("--added-inertia", line->addedInertia_kg_m2,
                    "kg m², of a disc that is mounted on the shaft for this run; kg, of a mass on a linear axis")
-      ->check(CLI::Range(0.0, 1e3));
+      ->check(numberIn(0.0, 1e3));
   command->add_option("--added-tolerance", line->addedTolerance, "relative half width of its 95 % interval")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.5));
+      ->check(numberIn(0.0, 0.5));
   command->add_option("--against", line->against,
                       "motor.json of a run with another added inertia: both together give the torque constant and all "
                       "torques without trusting the current sensor's gain");
@@ -293,7 +294,7 @@ void addCommission(CLI::App& app, Job& chosen) {
                     "go on where the bench file contradicts the board or what is measured; the results say so");
   auto* run = command->add_option("--run-s", line->run_s,
                                   "seconds at each speed of the velocity sweep; with --resume the interrupted job's");
-  run->capture_default_str()->check(CLI::Range(2.0, 120.0));
+  run->capture_default_str()->check(numberIn(2.0, 120.0));
   command->add_flag(
       "--resume", line->resume,
       "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "

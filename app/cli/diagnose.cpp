@@ -6,6 +6,7 @@
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
 #include "cli/into_project.h"
+#include "cli/number_range.h"
 
 namespace breakaway::cli {
 
@@ -63,7 +64,7 @@ void addDiagnose(CLI::App& app, Job& chosen) {
   command->add_option("--seed", line->seed, "seed of everything random")->capture_default_str();
   command
       ->add_option("--time", line->time_s, "seconds that it may take: the best answer within them; default: no limit")
-      ->check(CLI::PositiveNumber);
+      ->check(numberIn(1e-3, 1e7));
   addProjectOption(*command, *project);
   command->footer(
       "Examples:\n"

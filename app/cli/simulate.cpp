@@ -5,6 +5,7 @@
 #include "base/exact_text.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/number_range.h"
 #include "diagnose/simulate/model_file.h"
 #include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
@@ -64,7 +65,7 @@ void addSimulate(CLI::App& app, Job& chosen) {
   command
       ->add_option("--restart-every", line->restartEvery_s,
                    "set the state again from measurements every so many seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(numberIn(1e-9, 1e9));
   command->footer(
       "Examples:\n"
       "  breakaway simulate --model d/model.json --recording a.csv --out sim.csv\n"

@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "cli/into_project.h"
+#include "cli/number_range.h"
 #include "motor/beliefs.h"
 #include "report/tuning_report.h"
 #include "stability/bench_loop.h"
@@ -114,7 +115,7 @@ void addTune(CLI::App& app, Job& chosen) {
       ->check(CLI::IsMember({"soft", "medium", "stiff"}));
   command->add_option("--tick-s", line->timing.tick_s, "the board's control tick in s")
       ->capture_default_str()
-      ->check(CLI::Range(1e-6, 0.1));
+      ->check(numberIn(1e-6, 0.1));
   command
       ->add_option("--delay-ticks", line->timing.delay_ticks,
                    "whole ticks from a sample until its command acts; 0 for the simulated board")
@@ -122,30 +123,30 @@ void addTune(CLI::App& app, Job& chosen) {
       ->check(CLI::Range(0, 20));
   command->add_option("--inertia-error", line->inertiaError_percent, "half of the inertia's 95 % interval in percent")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 99.0));
+      ->check(numberIn(0.0, 99.0));
   command
       ->add_option("--torque-constant-error", line->torqueConstantError_percent,
                    "half of the torque constant's 95 % interval in percent")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 99.0));
+      ->check(numberIn(0.0, 99.0));
   command->add_option("--current-noise-A", line->currentNoise_A, "rms noise of the current's measurement in A")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberIn(0.0, 1e9));
   command
       ->add_option("--current-limit-A", line->currentLimit_A,
                    "current limit in A; 0: the bench file's. The current's noise stays within 1, 2 or 5 % of it")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberIn(0.0, 1e9));
   command
       ->add_option("--velocity-bandwidth", line->inner.observer_rad_per_s,
                    "of the board's speed observer in rad/s; 0: chosen so that the shaft yields least to a load")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberIn(0.0, 1e9));
   command
       ->add_option("--current-bandwidth", line->inner.current_rad_per_s,
                    "of the board's current loop in rad/s; 0: chosen, as fast as its margins and noise let it be")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberIn(0.0, 1e9));
   command->add_flag("--board-bandwidths", line->inner.asBoards,
                     "instead of choosing these two, take what Breakaway's own boards have, 400 and 300 rad/s at 5 kHz");
   command->add_flag(

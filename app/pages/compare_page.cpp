@@ -57,7 +57,7 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
       trial_(trial),
       files_(files) {
   setAcceptDrops(true);
-  setHead(tr("Compare"), tr("What a recording shows that its bench file doesn't declare, and the proof."));
+  setHead(tr("Compare"), tr("Which physics a bench file leaves out, and the proof."));
   diagnose_ = addPrimary("diagnoseButton", tr("Diagnose"));
   cancel_ = addSecondary("cancelButton", tr("Cancel"), 104);
   finish_ = addSecondary("finishButton", tr("Finish now"), 120);

@@ -289,32 +289,32 @@ void FrictionPage::showAverages(const Commission& known) {
   const auto viscous =
       opened ? std::optional(opened->map.viscousAverage_Nm_s_per_rad) : known.viscousAverage_Nm_s_per_rad();
   const AxisUnits units = unitsOf(known.identity.axis);
+  const bool mapped = known.knows(Known::map), linear = known.identity.axis == Axis::linear;
+  const QString ccw = shortWayName(Way::ccw, known.identity.axis), cw = shortWayName(Way::cw, known.identity.axis);
+  // As many lines as there will be: what is below stays where it is.
   std::vector<Fact> facts{
       {tr("Coulomb"), withInterval(coulomb, units.torqueScale, units.torque),
        tr("Mean of both ways at zero speed, 95 % interval")},
       {tr("Viscous"), withInterval(viscous, units.viscousScale, units.viscous), tr("Slope with speed, 95 % interval")}};
-  if (known.knows(Known::map)) {
-    const QString ccw = shortWayName(Way::ccw, known.identity.axis), cw = shortWayName(Way::cw, known.identity.axis);
-    for (const Way way : {Way::ccw, Way::cw})
-      facts.push_back({tr("Static, %1").arg(way == Way::ccw ? ccw : cw),
-                       withInterval(staticAverage_Nm(known.map, way), units.torqueScale, units.torque),
-                       tr("Mean of all bins, which share their errors; 95 % interval")});
+  for (const Way way : {Way::ccw, Way::cw})
+    facts.push_back({tr("Static, %1").arg(way == Way::ccw ? ccw : cw),
+                     withInterval(mapped ? std::optional(staticAverage_Nm(known.map, way)) : std::nullopt,
+                                  units.torqueScale, units.torque),
+                     tr("Mean of all bins, which share their errors; 95 % interval")});
+  facts.push_back({linear ? tr("Passes correlate") : tr("Turns correlate"), tr("not measured"),
+                   tr("How alike the breakaways of one turn and the next are")});
+  if (mapped && known.map.turns > 1) {
     const auto& repeat = known.map.repeatability;
-    if (known.map.turns > 1) {
-      const auto number = [](double value) { return QString::number(value, 'f', 3); };
-      const auto differ = [&](size_t way) { return number(units.torqueScale * repeat[way].rmsDifference_Nm); };
-      facts.push_back(
-          {known.identity.axis == Axis::linear ? tr("Passes correlate") : tr("Turns correlate"),
-           tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation)),
-           tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw)});
-    }
+    const auto number = [](double value) { return QString::number(value, 'f', 3); };
+    const auto differ = [&](size_t way) { return number(units.torqueScale * repeat[way].rmsDifference_Nm); };
+    facts.back().value = tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation));
+    facts.back().help = tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw);
   }
+  facts.push_back({tr("Velocity error"), tr("not measured"), tr("rms, going slowly to and fro, tuned for use")});
   if (known.compensatedRun) {
     const auto error = [&](double value) { return tr("%1 %2").arg(numberText(value)).arg(units.speed); };
     const CompensatedRun& run = *known.compensatedRun;
-    facts.push_back({tr("Velocity error"),
-                     tr("%1, with the map %2").arg(error(run.without_rad_per_s), error(run.with_rad_per_s)),
-                     tr("rms, going slowly to and fro, tuned for use")});
+    facts.back().value = tr("%1, with the map %2").arg(error(run.without_rad_per_s), error(run.with_rad_per_s));
   }
   averages_->show(facts);
 }

@@ -1594,8 +1594,8 @@
         <translation>Zum Ablesen auf eine Kurve zeigen</translation>
     </message>
     <message>
-        <source>What a recording shows that its bench file doesn&apos;t declare, and the proof.</source>
-        <translation>Was eine Aufzeichnung zeigt und ihre Prüfstandsdatei nicht angibt, mit Beweis.</translation>
+        <source>Which physics a bench file leaves out, and the proof.</source>
+        <translation>Was eine Prüfstandsdatei auslässt, mit Beweis.</translation>
     </message>
     <message>
         <source>Open the log as a recording first, or leave it</source>
@@ -2240,6 +2240,10 @@
 </context>
 <context>
     <name>breakaway::FrictionPage</name>
+    <message>
+        <source>How alike the breakaways of one turn and the next are</source>
+        <translation>Wie sehr die Losbrechmomente einer Umdrehung denen der nächsten gleichen</translation>
+    </message>
     <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>

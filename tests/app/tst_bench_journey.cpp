@@ -67,9 +67,12 @@ void TestBenchJourney::connectHomeSweepExport() {
   QVERIFY2(coulomb_Nm > 0.95 * 0.017 && coulomb_Nm < 1.05 * 0.017, qPrintable(QString::number(coulomb_Nm)));
   QVERIFY2(viscous > 0.8 * 2e-5 && viscous < 1.2 * 2e-5, qPrintable(QString::number(viscous)));
 
+  const auto* button = named<QWidget>(desk.window, "exportMapButton");
+  const QRect before = placeIn(button, desk.window);
   desk.sweep(12, 2);
   auto* plot = named<PolarPlot>(desk.window, "polarPlot");
   QVERIFY2(desk.mapGrows(), "the map did not grow while the sweep ran");
+  QCOMPARE(placeIn(button, desk.window), before);  // what a sweep finds moves nothing
   QCOMPARE(plot->curves().size(), size_t{4});
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("mNm"));
   for (const char* page : {"frictionPage", "identifyPage"}) {
@@ -83,7 +86,7 @@ void TestBenchJourney::connectHomeSweepExport() {
   // What the page is for needs no scrolling.
   const auto* scrolls = named<QScrollArea>(desk.window, "frictionPageSettings");
   const QRect seen = placeIn(scrolls->viewport(), desk.window);
-  QVERIFY(seen.contains(placeIn(named<QWidget>(desk.window, "exportMapButton"), desk.window)));
+  QVERIFY(seen.contains(placeIn(button, desk.window)));
 
   QTemporaryDir folder;
   QVERIFY(desk.exported("csv", folder.filePath("map.csv")));

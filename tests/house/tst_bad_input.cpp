@@ -122,6 +122,12 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
   row("no motor", "commission --out d --against m.json", {{"m.json", "{}"}}, "m.json, field schema: is missing");
   row("no motor there", "commission --out d --against m.json", {}, "m.json: cannot be read");
   row("a tolerance beyond", "commission --out d --added-inertia 1e-4 --added-tolerance 3", {}, "--added-tolerance");
+  row("no time", "diagnose --bench b.json --recording r.csv --out d --time nan", {},
+      "--time: is nan, expected a number from 0.001 to 1e+07");
+  row("noise that is none", "tune --bench b.json --out d --current-noise-A nan", {},
+      "--current-noise-A: is nan, expected a number from 0 to 1e+09");
+  row("time in words", "simulate --model m.json --recording r.csv --out s.csv --restart-every often", {},
+      "--restart-every: is often, expected a number");
   row("figures nowhere", "figures --out r.txt/d", {{"r.txt", "here"}}, "r.txt/d: cannot be");
   const auto ofBoard = [&](const char* name, const char* uri, const char* line) {
     for (const char* words : {"commission --out d --board ", "profile save --profile p.json --board "})
