@@ -308,7 +308,8 @@ void FrictionPage::showAverages(const Commission& known) {
     const auto number = [](double value) { return QString::number(value, 'f', 3); };
     const auto differ = [&](size_t way) { return number(units.torqueScale * repeat[way].rmsDifference_Nm); };
     facts.back().value = tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation));
-    facts.back().help = tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw);
+    facts.back().help =
+        tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw);
   }
   facts.push_back({tr("Velocity error"), tr("not measured"), tr("rms, going slowly to and fro, tuned for use")});
   if (known.compensatedRun) {

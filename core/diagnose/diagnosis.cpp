@@ -109,6 +109,8 @@ class Diagnoser {
 
     Attempt made;
     Diagnosis& diagnosis = made.diagnosis;
+    made.cut = diagnosis.cutShort = found->cut;
+    if (found->cut && found->chosen.empty()) return made;  // nothing to prove
     input.say(0.92, message("proving on held-out data"));
     Remainder rest = take(diagnosis, judge(bench_, *prepared, input, *found), *prepared);
     if (!named_s) {
@@ -117,7 +119,6 @@ class Diagnoser {
     diagnosis.firstNames = std::move(firstNames);
     diagnosis.named_s = named_s ? *named_s : elapsed_s();
     findPlaces(rest, diagnosis.model, *prepared, options_.seed);
-    made.cut = diagnosis.cutShort = found->cut;
     // What wasn't looked for may well be in the catalogue.
     diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside() && !found->cut);
     if (found->cut) diagnosis.remarks.push_back(cutRemark());

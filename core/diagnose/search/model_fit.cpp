@@ -173,6 +173,11 @@ std::vector<Model> variantsOf(const SearchInput& input, const Model& model) {
   return variants;
 }
 
+/// A base model is fitted to its end: all else rests on it, and it is the answer where nothing was found in time.
+static TimeLimit timeFor(const SearchInput& input, const Model& model) {
+  return model.effects.empty() ? TimeLimit() : input.time;
+}
+
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   if (remembers(model)) iterations = std::min(iterations, 5);  // each takes several times as long
   const auto fitted = [&](const Model& start) {
@@ -182,7 +187,7 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
                        .windowWeights = input.windowWeights,
                        .weights = {},
                        .stop = input.stop,
-                       .time = input.time});
+                       .time = timeFor(input, start)});
   };
   FitResult fit = fitted(model);
   // The worse a start was, the more it holds its fit back: if the fit has come far below it, it goes on from there.
@@ -198,7 +203,7 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
                      .windowWeights = {},
                      .weights = {},
                      .stop = input.stop,
-                     .time = input.time})
+                     .time = timeFor(input, model)})
       .model;
 }
 
@@ -301,20 +306,21 @@ std::vector<double> polishWeights(const SearchInput& input, const Model& base, c
   return robustWeights(residualSquares(restsOnFew ? model : base, input.tracks, input.split.polish));
 }
 
-static FitOptions polishOptions(const SearchInput& input, bool slow, const std::vector<double>& windowWeights) {
+static FitOptions polishOptions(const SearchInput& input, const Model& model, bool slow,
+                                const std::vector<double>& windowWeights) {
   return {.iterations = slow ? 4 : 6,
           .tolerance = slow ? 1e-3 : 3e-5,
           .exact = !slow,
           .windowWeights = slow ? input.windowWeights : windowWeights,
           .weights = {},
           .stop = input.stop,
-          .time = input.time};
+          .time = timeFor(input, model)};
 }
 
 FitResult refineModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
   if (remembers(model)) return fitModel(input, model, 4);
   return fitWindows(vectorOf(input, model, true), input.tracks, input.split.polish,
-                    polishOptions(input, false, windowWeights));
+                    polishOptions(input, model, false, windowWeights));
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
@@ -322,7 +328,7 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
   if (!(fit.rmse < input.adequate)) return fit;
   const bool slow = remembers(model);
   const std::vector<Window>& windows = slow ? input.split.train : input.split.polish;
-  FitOptions options = polishOptions(input, slow, windowWeights);
+  FitOptions options = polishOptions(input, model, slow, windowWeights);
   profileSizes(fit, [&](const Model& start, size_t effect, const Weights& weights) {
     options.weights = weights;
     options.iterations = 20;  // one that came to no end would seem to err more than it has to

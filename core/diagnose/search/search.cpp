@@ -92,7 +92,8 @@ class Search {
     input_.say(0.45, message("looking for more"));
     const Further further(input_, *fits_, screen, adoption);
     for (int more = 0; more < mostFurther && further.find(result, found.chosen); ++more) backward(result);
-    result.cut = input_.enough();
+    result.cut = input_.enough() && !input_.stop.stop_requested();
+    if (result.cut && result.chosen.empty()) return result;
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
