@@ -44,8 +44,12 @@ struct Desk {
     const bool goesOn = named<QWidget>(window, "continueSweepButton")->isEnabled();
     press(window, goesOn ? "continueSweepButton" : "breakawaySweepButton");
   }
+  bool mapComes() {
+    return QTest::qWaitFor([this] { return session.bench.known().knows(Known::map); }, patience_ms);
+  }
   /// Whether a sweep's map came to its end, and was drawn while it grew.
   bool mapGrows() {
+    session.connection.setPace(unhurried);  // else it is over while a busy machine looks elsewhere
     size_t grew = 0, last = 0;
     const bool whole = QTest::qWaitFor(
         [&] {
@@ -55,6 +59,7 @@ struct Desk {
           return session.bench.known().knows(Known::map);
         },
         patience_ms);
+    session.connection.setPace(hurried);
     return whole && grew >= 3;
   }
   bool exported(const char* format, const QString& path) {

@@ -167,7 +167,7 @@ void TestLanguageSwitch::results_areShownInTheOtherLanguage() {
   QVERIFY(desk.connected());
   desk.quickSpeeds();
   desk.sweep(36, 1);
-  QVERIFY(desk.mapGrows());
+  QVERIFY(desk.mapComes());
   QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.run().running(); }, patience_ms));
   press(desk.window, "viewStatic");
   QVERIFY(previewed(desk.window));
