@@ -81,9 +81,11 @@ std::vector<ErrorBar> rivalBars(const Diagnosis& d, const Finding& finding) {
 }
 
 Message rivalSentence(const Finding& finding) {
-  if (finding.rivals.empty())
-    return finding.ambiguousWith.empty() ? message("No other effect came near enough to be fitted in its place.")
+  if (finding.rivals.empty()) {
+    if (finding.ambiguousWith.empty()) return message("No other effect came near enough to be fitted in its place.");
+    return realRival(finding) != nullptr ? message("What it can't be told from wasn't fitted in its place.")
                                          : message("What it can't be told from errs as it does, and wasn't fitted.");
+  }
   std::vector<Message> alike;
   const RivalScore* nearest = nullptr;
   for (const RivalScore& one : finding.rivals) {

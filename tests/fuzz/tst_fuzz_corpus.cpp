@@ -31,7 +31,7 @@ void TestFuzzCorpus::everyInput_isReadOrRefused() {
   QFETCH(QString, reader);
   const FuzzedReader read = fuzzedReaders().at(reader.toStdString());
   const bool slow = reader == "mat" || reader == "hdf5" || reader == "board_host";  // a process, or waiting, each
-  const int quickRuns = sanitized ? 100 : 20;  // what is read beside its place, only a sanitizer sees
+  const int quickRuns = sanitized ? 200 : 20;  // what is read beside its place, only a sanitizer sees
   unsigned state = 1;
   const auto random = [&state] { return (state = state * 1664525U + 1013904223U) >> 8; };
   QDirIterator files(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/tests/fuzz/corpus/" + reader, QDir::Files);
