@@ -302,8 +302,9 @@ void ComparePage::showProgress() {
       diagnose_, tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
       comparison_.log().isOpen() ? tr("Open the log as a recording first, or leave it") : comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
-  setAvailable(finish_, running, tr("Weigh and prove what was found so far, and look no further"),
-               tr("No diagnosis is running"));
+  const bool finishing = comparison_.finishing();
+  setAvailable(finish_, running && !finishing, tr("Weigh and prove what was found so far, and look no further"),
+               finishing ? tr("It looks no further; what was found is being proved") : tr("No diagnosis is running"));
   if (!comparison_.diagnosis()) showHint();
   showState();
 }

@@ -247,6 +247,7 @@ void Comparison::cancel() {
 
 void Comparison::finishNow() {
   time_.end();
+  emit progressChanged();
 }
 
 void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {

@@ -69,6 +69,8 @@ class Comparison : public QObject {
   void cancel();
   /// What was found so far is weighed and proved, and that is the answer.
   void finishNow();
+  /// Whether it was asked to.
+  bool finishing() const { return diagnosing_ && time_.over(); }
   /// Whether the effect takes part in the simulation that is shown.
   void include(const std::string& effect, bool included);
   bool includes(const std::string& effect) const { return !leftOut_.contains(effect); }

@@ -1614,6 +1614,10 @@
         <translation>Die Diagnose läuft; „Abschließen“ nimmt, was bisher gefunden ist, „Abbrechen“ beendet sie</translation>
     </message>
     <message>
+        <source>It looks no further; what was found is being proved</source>
+        <translation>Es sucht nicht weiter; was gefunden ist, wird bewiesen</translation>
+    </message>
+    <message>
         <source>Finish now</source>
         <translation>Abschließen</translation>
     </message>

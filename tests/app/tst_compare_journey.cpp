@@ -234,13 +234,18 @@ void TestCompareJourney::finishing_takesWhatWasFoundByThen() {
   const QTemporaryDir folder;
   Desk desk;
   QVERIFY(openedExample(desk, folder));
-  QVERIFY(!named<QPushButton>(desk.window, "finishButton")->isEnabled());
-  QVERIFY(desk.diagnosed(true));
+  const auto* finish = named<QPushButton>(desk.window, "finishButton");
+  QVERIFY(!finish->isEnabled());
+  press(desk.window, "diagnoseButton");
+  QVERIFY(finish->isEnabled());
+  press(desk.window, "finishButton");
+  QVERIFY(!finish->isEnabled() && finish->toolTip().startsWith("It looks no further"));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.diagnosis().has_value(); }, patience_ms));
   const Diagnosis& diagnosis = *desk.session.comparison.diagnosis();
   QVERIFY(diagnosis.cutShort);
   QCOMPARE(nameOf(diagnosis.verdict), std::string("undecided"));
   QVERIFY2(inWords(diagnosis).find("give it more") != std::string::npos, inWords(diagnosis).c_str());
-  QVERIFY(!named<QPushButton>(desk.window, "finishButton")->isEnabled());
+  QVERIFY(!finish->isEnabled() && finish->toolTip().startsWith("No diagnosis"));
 }
 
 void TestCompareJourney::emps_isDiagnosed() {
