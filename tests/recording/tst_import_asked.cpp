@@ -37,6 +37,9 @@ class TestImportAsked : public QObject {
   void motionControllersAxis_isAskedAbout();
   void farAngleWithoutAUnit_isDoubted();
   void doubtBesideTheUnits_isSaidToo();
+  void bracketAmidAName_isNoUnit();
+  void speedsThatTheirUnitAloneTells_areAskedAbout();
+  void receiversSpeed_isNotTheMotors();
 
  private:
   using Wave = std::function<double(int)>;
@@ -285,6 +288,29 @@ void TestImportAsked::doubtBesideTheUnits_isSaidToo() {
   const std::string words = log->columns[1].inWords();
   QVERIFY2(words.find("agrees with kappa") != std::string::npos, words.c_str());
   QVERIFY2(words.find("nothing but its values tells it") != std::string::npos, words.c_str());
+}
+
+void TestImportAsked::bracketAmidAName_isNoUnit() {
+  const auto log = logOf({{"leg:timestamp", secondsAt},
+                          {"knee[Actpack]:motor_position", placeAt},
+                          {"knee[Actpack]:motor_velocity", speedAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "knee[Actpack]:motor_position"), "angle_rad");
+  QCOMPARE(meaning(*log, "knee[Actpack]:motor_velocity"), "velocity_rad_per_s");
+}
+
+void TestImportAsked::speedsThatTheirUnitAloneTells_areAskedAbout() {
+  const auto rpm = [](int k) { return 300.0 + toRpm * speedAt(k); };
+  const Columns one = {{"t [s]", secondsAt}, {"N_HM [1/min]", rpm}};
+  VERIFY_OK(logOf(one));
+  const auto set = [](int k) { return 290.0 + toRpm * speedAt(k + 2); };
+  QVERIFY(isAsked(logOf({{"t [s]", secondsAt}, {"SO_N_HM [1/min]", set}, {"N_HM [1/min]", rpm}}), "N_HM"));
+}
+
+void TestImportAsked::receiversSpeed_isNotTheMotors() {
+  const auto log = logOf({{"time_s", secondsAt}, {"position_deg", placeAt}, {"gnss_gVel", speedAt}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "gnss_gVel"), "");
 }
 
 QTEST_APPLESS_MAIN(TestImportAsked)

@@ -34,6 +34,8 @@ class TestImportShapes : public QObject {
   void rowsOfSignalsInTurn_makeNoPauses();
   void rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem();
   void referenceWithoutAUnit_goesAboutAsFar();
+  void semicolonThatEndsEachRow_isNoPartOfACell_data();
+  void semicolonThatEndsEachRow_isNoPartOfACell();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -322,6 +324,24 @@ void TestImportShapes::rowsOfSignalsInTurn_makeNoPauses() {
   VERIFY_OK(log);
   QCOMPARE(log->recording.rows(), size_t{rows});
   for (const auto& remark : log->remarks) QVERIFY(remark.english().find("pause") == std::string::npos);
+}
+
+void TestImportShapes::semicolonThatEndsEachRow_isNoPartOfACell_data() {
+  QTest::addColumn<QString>("separator");
+  QTest::newRow("commas") << ",";
+  QTest::newRow("tabs") << "\t";
+  QTest::newRow("blanks") << "  ";
+}
+
+void TestImportShapes::semicolonThatEndsEachRow_isNoPartOfACell() {
+  QFETCH(QString, separator);
+  QString text = "%time,position\n%[s],[deg]\n";
+  for (int k = 0; k < rows; ++k)
+    text += QString::number(0.01 * k) + separator + QString::number(57.29578 * std::sin(0.1 * k)) + ";\n";
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t(rows));
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

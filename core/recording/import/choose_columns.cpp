@@ -273,10 +273,11 @@ size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Ch
   size_t best = choices.size();
   for (size_t c = 0; c < choices.size(); ++c) {
     if (choices[c].name.to != to) continue;
-    const bool better = best == choices.size() || (choices[c].byMap && !choices[best].byMap) ||
-                        (choices[c].byMap == choices[best].byMap &&
-                         rankOf(table.columns[c], choices[c], map) < rankOf(table.columns[best], choices[best], map));
-    if (better) best = c;
+    const auto standingOf = [&](size_t k) {  // who says so counts first: the map, the tool's own names, what names tell
+      const int told = choices[k].byMap ? 0 : choices[k].byTool ? 1 : 2;
+      return std::pair(told, rankOf(table.columns[k], choices[k], map));
+    };
+    if (best == choices.size() || standingOf(c) < standingOf(best)) best = c;
   }
   return best;
 }
@@ -306,27 +307,28 @@ std::vector<size_t> motionOf(const RawTable& table, const ImportMap& map, const 
   return motion;
 }
 
-/// Of three drives or more that are called by as many words that aren't known, nobody can tell the motor's: parts of a
-/// balance of torques, say.
-void setBalancesAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
-  constexpr size_t fewest = 3;
-  for (const std::string_view to : {"torque_Nm", "current_A", "voltage_V", "force_N"}) {
-    const size_t best = bestFor(table, map, choices, std::string(to));
-    if (best == choices.size() || choices[best].byMap || choices[best].byTool || choices[best].name.guess.empty())
-      continue;
+/// Of columns for one thing that stand alike and that are called by as many words that aren't known, nobody can tell
+/// the motor's: of three drives, parts of a balance of torques, say; of two motions that their unit alone tells, one of
+/// which may be what is set, or another machine's.
+void setSeveralAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  const auto setAsideOf = [&](const std::string& to, size_t fewest, bool (*open)(const ColumnName&)) {
+    const size_t best = bestFor(table, map, choices, to);
+    if (best == choices.size()) return;
     std::set<Words> called;
     std::vector<size_t> alike;
     for (size_t c = 0; c < choices.size(); ++c) {
-      const bool open = choices[c].name.to == to && !choices[c].byMap && !choices[c].byTool &&
-                        !choices[c].name.guess.empty() && choices[c].name.qualified;
-      if (!open || rankOf(table.columns[c], choices[c], map) != rankOf(table.columns[best], choices[best], map))
-        continue;
+      if (choices[c].name.to != to || choices[c].byMap || choices[c].byTool || !open(choices[c].name)) continue;
+      if (rankOf(table.columns[c], choices[c], map) != rankOf(table.columns[best], choices[best], map)) continue;
       called.insert(ownerOf(table.columns[c].channel.name));
       alike.push_back(c);
     }
-    if (called.size() < fewest || std::find(alike.begin(), alike.end(), best) == alike.end()) continue;
+    if (called.size() < fewest || std::find(alike.begin(), alike.end(), best) == alike.end()) return;
     for (const size_t c : alike) setAside(choices[c], message("is one of several, and no name tells the motor's"));
-  }
+  };
+  for (const char* to : {"torque_Nm", "current_A", "voltage_V", "force_N"})
+    setAsideOf(to, 3, [](const ColumnName& name) { return !name.guess.empty() && name.qualified; });
+  for (const char* to : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"})
+    setAsideOf(to, 2, [](const ColumnName& name) { return name.byUnit; });
 }
 
 /// Where only the order of the columns decided for a motion or a drive, of those that are called by different words and
@@ -463,7 +465,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   dropStrangers(table, map, choices);
   setOthersDrivesAside(table, motionOf(table, map, choices), choices);
-  setBalancesAside(table, map, choices);
+  setSeveralAside(table, map, choices);
   preferMotionsOwn(table, ranksOf(table, map, choices), choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   setUnmovedReferencesAside(table, choices);

@@ -146,8 +146,9 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
       rest = inner;
     } else if (isNumber(inner) || namesAxis(words) || namesPhase(words) || (plainWords && !words.empty())) {
       rest += " " + inner + " ";
-    } else if (!words.empty()) {
-      setUnit(inner, parts);
+    } else if (!words.empty() &&
+               (name.empty() || std::string_view(":./").find(name.front()) == std::string_view::npos)) {
+      setUnit(inner, parts);  // but "knee[Actpack]:position" goes on: it says which of the kind
     }
   }
   return rest + std::string(name);

@@ -59,21 +59,26 @@ inline constexpr auto decorations = std::to_array<std::string_view>(
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
 /// Wherever they stand, the column is something else.
-inline constexpr auto otherThings = std::to_array<std::string_view>(
-    {"error",        "err",         "limit",      "lim",          "max",          "min",        "peak",
-     "integral",     "integrator",  "std",        "rms",          "gain",         "offset",     "threshold",
-     "mode",         "fault",       "derivative", "ripple",       "tolerance",    "delta",      "diff",
-     "difference",   "deviation",   "fehler",     "gyro",         "gyroadc",      "gyroscope",  "accelerometer",
-     "magnetometer", "imu",         "accel",      "acceleration", "acc",          "mag",        "gps",
-     "vehicle",      "variance",    "covariance", "correction",   "compensation", "power",      "energy",
-     "ratio",        "sum",         "abs",        "dt",           "delay",        "duration",   "regelabweichung",
-     "bandwidth",    "sin",         "cos",        "tan",          "predicted",    "prediction", "predict",
-     "simulated",    "sim",         "modeled",    "modelled",     "ideal",        "expected",   "theoretical",
-     "wind",         "unsaturated", "unsat",      "unclamped",    "unlimited",    "pred",       "nominal",
-     "prev",         "previous",    "old",        "initial",      "init",         "final",      "home",
-     "bias",         "noise",       "fan",        "pump",         "injector",     "heater",     "led",
-     "urms",         "irms",        "vrms",       "kmh",          "kph",          "kmph",       "mph",
-     "watt",         "wh",          "ah"});
+inline constexpr auto otherThings =
+    std::to_array<std::string_view>({"error",        "err",          "limit",         "lim",          "max",
+                                     "min",          "peak",         "integral",      "integrator",   "std",
+                                     "rms",          "gain",         "offset",        "threshold",    "mode",
+                                     "fault",        "derivative",   "ripple",        "tolerance",    "delta",
+                                     "diff",         "difference",   "deviation",     "fehler",       "gyro",
+                                     "gyroadc",      "gyroscope",    "accelerometer", "magnetometer", "imu",
+                                     "accel",        "acceleration", "acc",           "mag",          "gps",
+                                     "gnss",         "vehicle",      "variance",      "covariance",   "correction",
+                                     "compensation", "power",        "energy",        "ratio",        "sum",
+                                     "abs",          "dt",           "delay",         "duration",     "regelabweichung",
+                                     "bandwidth",    "sin",          "cos",           "tan",          "predicted",
+                                     "prediction",   "predict",      "simulated",     "sim",          "modeled",
+                                     "modelled",     "ideal",        "expected",      "theoretical",  "wind",
+                                     "unsaturated",  "unsat",        "unclamped",     "unlimited",    "pred",
+                                     "nominal",      "prev",         "previous",      "old",          "initial",
+                                     "init",         "final",        "home",          "bias",         "noise",
+                                     "fan",          "pump",         "injector",      "heater",       "led",
+                                     "urms",         "irms",         "vrms",          "kmh",          "kph",
+                                     "kmph",         "mph",          "watt",          "wh",           "ah"});
 /// The first of the words that makes a column something else; nullptr when none does. Where words are written without
 /// gaps, it may end one ("位置偏差").
 const std::string* otherThingIn(const std::vector<std::string>& words);

@@ -182,6 +182,7 @@ void splitPlain(std::string_view line, char separator, std::vector<std::string_v
   } else {
     line = withoutBlanks(line);
   }
+  if (separator != ';' && !line.empty() && line.back() == ';') line.remove_suffix(1);  // a row's end: "1,2,3;"
   while (true) {
     size_t end = 0;
     if (!line.empty() && line.front() == '"') {
