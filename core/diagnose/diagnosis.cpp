@@ -111,6 +111,8 @@ class Diagnoser {
     Diagnosis& diagnosis = made.diagnosis;
     made.cut = diagnosis.cutShort = found->cut;
     if (found->cut && found->chosen.empty()) return made;  // nothing to prove
+    const Model& base = found->base.model;
+    input.seen.inertia = base.baseValue(motorNames(base.axis).inertia).value_or(input.seen.inertia);  // as the search
     input.say(0.92, message("proving on held-out data"));
     Remainder rest = take(diagnosis, judge(bench_, *prepared, input, *found), *prepared);
     if (!named_s) {

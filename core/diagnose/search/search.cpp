@@ -48,20 +48,20 @@ class Search {
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
-    if (input_.mayTurnToTorque && runAway(result.base.model, starts.front(), limits())) {
-      result.counting = {ErrorIn::torque, input_.split.window_s};
-      return result;
-    }
+    const bool away = input_.mayTurnToTorque && runAway(result.base.model, starts.front(), limits());
     input_.say(0.2, message("looking for what is missing"));
     input_.seen.inertia = physicsInertia(result.base.model);
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
     const Screening steady(input_, steadyRig, input_.effects);
-    if (input_.mayShorten) {
+    if (away)
+      result.counting = {ErrorIn::torque, input_.split.window_s};
+    else if (input_.mayShorten)
       result.counting = betterFor(steady, result.base.model);
-      if (result.counting) return result;
-    }
     fits_.emplace(input_, result.base);
+    if (result.counting && result.counting->errorIn == ErrorIn::torque && loadFollows(result.base, steady.screen))
+      result.counting.reset();
+    if (result.counting) return result;
     result.adequate = input_.adequate = limits().farOff * worth().floor();
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
@@ -129,6 +129,16 @@ class Search {
     const Pick& most = picks.front();
     const Model rig = withScreenedBase(input_, base, steady.screen.baseCoefficients({most}));
     return betterCounting(input_, base, with(input_, rig, most));
+  }
+  /// Torque along the motion shows no load that swings behind it: such a load keeps the motion from being foreseen, and
+  /// makes the inertia that torque shows another one than the whole. Where one follows all, motion is foreseen with it.
+  bool loadFollows(const FitResult& base, const Screen& screen) const {
+    const SwingingLoads loads(input_, worth(), base.model);
+    const std::vector<Pick> picks = SwingingLoads::offered(input_, screen);
+    return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) {
+      const FitResult fit = loads.fitted(pick);
+      return fit.usable && plausible(fit.model, input_.seen) && loadFollowsAll(fit, base, limits());
+    });
   }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {

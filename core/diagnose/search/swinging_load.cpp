@@ -71,6 +71,8 @@ std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen&
     }
     picks.push_back(std::move(pick));
   }
+  // What flies takes long, and would leave nothing of the steps for the others.
+  std::stable_partition(picks.begin(), picks.end(), [](const Pick& one) { return !inPlay(one); });
   return picks;
 }
 
@@ -225,6 +227,23 @@ void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const
   }
 }
 
+std::optional<Model> SwingingLoads::fittedTo(const View& view, const Pick& pick) const {
+  const ParameterVector free = vectorOf(input_, with(input_, model_, pick));
+  const auto columns = static_cast<double>(free.size());
+  if (!input_.loadSteps->take(stepsOf(view.windows, pick, runsPerFit * (runsPerStart + columns)))) return std::nullopt;
+  const FitResult fit = fitWindows(free, input_.tracks, view.windows,
+                                   {.iterations = 10,
+                                    .tolerance = 1e-3,
+                                    .windowWeights = {},
+                                    .weights = {},
+                                    .stop = input_.stop,
+                                    .time = input_.time});
+  if (!fit.usable || !plausible(fit.model, input_.seen)) return std::nullopt;
+  const auto left = residualSquares(fit.model, input_.tracks, view.windows);
+  if (!(typicalPart(left, view.own, limits_.little) < limits_.clearlyLess)) return std::nullopt;
+  return fit.model;
+}
+
 FitResult SwingingLoads::fitted(const Pick& pick) const {
   FitResult best;
   const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
@@ -248,10 +267,12 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     sortByLeft(shapes);
     if (shapes.size() > viewed.fits) shapes.resize(viewed.fits);
     for (Shaped& shaped : shapes) {
-      if (shaped.left > limits_.clearlyLess || input_.enough()) break;
+      if (input_.enough()) break;
+      const bool seen = shaped.left <= limits_.clearlyLess;
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
-      fitFrom(with(input_, model_, walked), walked);
+      const auto start = seen ? with(input_, model_, walked) : fittedTo(view, walked);
+      if (start) fitFrom(*start, walked);
     }
   };
   const bool play = inPlay(pick);

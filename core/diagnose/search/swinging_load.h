@@ -1,6 +1,7 @@
 // Loads behind a spring or a gap, which a regression hardly shows: their shapes by simulation.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "diagnose/search/model_fit.h"
@@ -57,6 +58,9 @@ class SwingingLoads {
   double stepsOf(const std::vector<Window>& windows, const Pick& pick, double runs) const;
   static void sortByLeft(std::vector<Shaped>& shapes);
   void walk(Shaped& best, const Pick& pick, const View& view) const;
+  /// The model with the load, all of it fitted to the view's windows: what a load that swings made of inertia and
+  /// friction in whole windows hides it from its shapes alone. Nothing where that leaves nearly as much.
+  std::optional<Model> fittedTo(const View& view, const Pick& pick) const;
 
   const SearchInput& input_;
   const Criteria& limits_;
