@@ -34,12 +34,14 @@ std::vector<Family> catalogued() {
   all.push_back({{"backlash", an}, false, false, false, true, [](C& c, const M& m, D& d, double, double) {
                    twoMasses(c, m, d, d.evenly(30.0, 125.0), d.evenly(0.1, 0.5));
                    c.play = std::max(m.linear ? d.evenly(5e-5, 1e-3) : d.evenly(8e-3, 0.08), 12.0 * m.count());
-                   return fmt::format("play of {:.2g}, load {:.1f} J", c.play, c.loadInertia / m.inertia);
+                   return fmt::format("play of {:.2g}, load {:.1f} J with {:.0f} % of the friction", c.play,
+                                      c.loadInertia / m.inertia, 100.0 * c.loadFriction);
                  }});
   all.push_back({{"compliance", an}, false, false, false, true, [](C& c, const M& m, D& d, double, double rate_Hz) {
                    const double Hz = d.evenly(15.0, std::min(150.0, rate_Hz / 6.0));
                    twoMasses(c, m, d, Hz, d.evenly(0.01, 0.1));
-                   return fmt::format("swings at {:.0f} Hz, load {:.1f} J", Hz, c.loadInertia / m.inertia);
+                   return fmt::format("swings at {:.0f} Hz, load {:.1f} J with {:.0f} % of the friction", Hz,
+                                      c.loadInertia / m.inertia, 100.0 * c.loadFriction);
                  }});
   all.push_back({{"end_stop", an}, false, false, true, false, [](C& c, const M& m, D& d, double, double) {
                    const double swing = turn * d.evenly(5.0, 80.0);
