@@ -39,6 +39,7 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a delay that inertia could stand in for, but for no more than half of it")
       << "transport_delay" << 46 << false;
   QTest::newRow("a push that stands out, though all other stretches err, too") << "external_disturbance" << 54 << true;
+  QTest::newRow("a load on a soft spring, which makes inertia seem to run away") << "compliance" << 61 << true;
   QTest::newRow("contacts that yield, which only simulation finds") << "presliding" << 47 << true;
 }
 
